@@ -1,0 +1,44 @@
+# The kit: the one folder of ours that a sandbox sees. Headers, the precompiled prelude, library cg,
+# shaders and the runner; no test, no reference, no solution.
+
+set(KIT ${PROJECT_BINARY_DIR}/kit)
+set(kit_headers)
+foreach(folder common common/cg grader/runner grader/protocol)
+    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+    list(APPEND kit_headers ${found})
+endforeach()
+file(GLOB kit_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/shaders/*)
+
+set(copies)
+function(kit_copy source target)
+    add_custom_command(OUTPUT ${target}
+        COMMAND ${CMAKE_COMMAND} -E copy ${source} ${target}
+        DEPENDS ${source} VERBATIM)
+endfunction()
+foreach(header IN LISTS kit_headers)
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${header})
+    string(REGEX REPLACE "^(common|grader)/" "" name ${name})
+    kit_copy(${header} ${KIT}/include/${name})
+    list(APPEND copies ${KIT}/include/${name})
+endforeach()
+foreach(shader IN LISTS kit_shaders)
+    get_filename_component(name ${shader} NAME)
+    kit_copy(${shader} ${KIT}/shaders/${name})
+    list(APPEND copies ${KIT}/shaders/${name})
+endforeach()
+kit_copy(${CMAKE_CURRENT_SOURCE_DIR}/prelude.h ${KIT}/prelude/prelude.h)
+
+# The prelude is compiled with the very flags of a student's file, or the compiler ignores it.
+add_custom_command(OUTPUT ${KIT}/prelude/prelude.h.gch
+    COMMAND ${CMAKE_CXX_COMPILER} ${STUDENT_GRADING_FLAGS} -x c++-header ${KIT}/prelude/prelude.h
+            -o ${KIT}/prelude/prelude.h.gch
+    DEPENDS ${KIT}/prelude/prelude.h ${PROJECT_SOURCE_DIR}/cmake/StudentFlags.cmake VERBATIM)
+
+add_custom_command(OUTPUT ${KIT}/lib/libcg.a
+    COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:cg> ${KIT}/lib/libcg.a
+    DEPENDS cg VERBATIM)
+add_custom_command(OUTPUT ${KIT}/bin/runner
+    COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:runner> ${KIT}/bin/runner
+    DEPENDS runner VERBATIM)
+add_custom_target(prelude DEPENDS ${copies} ${KIT}/prelude/prelude.h.gch ${KIT}/lib/libcg.a
+    ${KIT}/bin/runner)

@@ -1,0 +1,229 @@
+#include "runner/Child.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <system_error>
+
+#include "runner/CrashReport.h"
+
+namespace runner {
+
+namespace {
+
+using protocol::Answer;
+using protocol::Bytes;
+using protocol::Outcome;
+using protocol::Request;
+
+constexpr std::size_t kKeptOutput = 16384;
+constexpr int kLoaderFailed = 127;  // what ld.so exits with
+
+struct Pipes {
+    int channel[2], output[2], crash[2];
+};
+
+Pipes openPipes() {
+    Pipes pipes{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pipes.channel) != 0 ||
+        pipe2(pipes.output, O_CLOEXEC) != 0 || pipe2(pipes.crash, O_CLOEXEC) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot open a pipe");
+    fcntl(pipes.output[0], F_SETFL, O_NONBLOCK);
+    fcntl(pipes.crash[0], F_SETFL, O_NONBLOCK);
+    return pipes;
+}
+
+/// In the child: three standard descriptors, the channel and the crash pipe; nothing else.
+[[noreturn]] void runChild(const SubjectFiles& files, const Pipes& pipes) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int nothing = open("/dev/null", O_RDONLY);
+    const int channel = fcntl(pipes.channel[1], F_DUPFD, 10);
+    const int crash = fcntl(pipes.crash[1], F_DUPFD, 10);
+    const int output = fcntl(pipes.output[1], F_DUPFD, 10);
+    dup2(nothing, 0);
+    dup2(output, 1);
+    dup2(output, 2);
+    dup2(channel, 3);
+    dup2(crash, 4);
+    close_range(5, ~0U, 0);
+    installCrashHandlers(4);
+    Host(files).serve(3);
+}
+
+std::string trimmed(const std::string& text) {
+    const auto end = text.find_last_not_of(" \n\t");
+    return end == std::string::npos ? "" : text.substr(0, end + 1);
+}
+
+/// Only a whole pid namespace can be swept; elsewhere the process group must do.
+void killStrays(pid_t group) {
+    kill(-group, SIGKILL);
+    if (getpid() == 1)
+        kill(-1, SIGKILL);
+}
+
+}  // namespace
+
+Child::Child(const SubjectFiles& files) : files_(files) {
+    const Pipes pipes = openPipes();
+    pid_ = fork();
+    if (pid_ == 0)
+        runChild(files, pipes);
+    const int failure = errno;
+    close(pipes.channel[1]);
+    close(pipes.output[1]);
+    close(pipes.crash[1]);
+    channel_ = pipes.channel[0];
+    output_ = pipes.output[0];
+    crash_ = pipes.crash[0];
+    if (pid_ < 0) {
+        close(channel_);
+        close(output_);
+        close(crash_);
+        throw std::system_error(failure, std::generic_category(), "cannot fork");
+    }
+    setpgid(pid_, pid_);
+}
+
+Child::~Child() {
+    stop(false);
+    close(channel_);
+    close(output_);
+    close(crash_);
+}
+
+Answer Child::ask(const Request& request) {
+    printed_.clear();
+    printedBytes_ = 0;
+    protocol::writeAll(channel_,
+                       protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
+    Bytes body;
+    Answer answer;
+    switch (await(request, body)) {
+        case Event::answered: answer = explainAnswer(body); break;
+        case Event::closed: answer = explainEnd(stop(true)); break;
+        case Event::late:
+            stop(false);
+            answer.outcome = Outcome::timeout;
+            break;
+        case Event::flooded:
+            stop(false);
+            answer.outcome = Outcome::output;
+            break;
+    }
+    answer.nonce = request.nonce;
+    return answer;
+}
+
+Child::Event Child::await(const Request& request, Bytes& body) {
+    using namespace std::chrono;
+    const auto end = steady_clock::now() + milliseconds(request.timeoutMs);
+    pollfd waiting[2] = {{channel_, POLLIN, 0}, {output_, POLLIN, 0}};
+    for (;;) {
+        const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
+        if (left <= 0)
+            return Event::late;
+        if (poll(waiting, 2, static_cast<int>(left)) < 0)
+            continue;
+        if (waiting[1].revents & (POLLIN | POLLHUP))
+            drainOutput();
+        if (waiting[1].revents & POLLHUP)
+            waiting[1].fd = -1;  // closed by the child itself: nothing more to watch
+        if (printedBytes_ > request.outputBytes)
+            return Event::flooded;
+        if (!waiting[0].revents)
+            continue;
+        switch (protocol::readMessage(channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
+                                      static_cast<int>(left), body)) {
+            case protocol::ReadStatus::ok: break;
+            case protocol::ReadStatus::closed: drainOutput(); return Event::closed;
+            case protocol::ReadStatus::late: return Event::late;
+            case protocol::ReadStatus::malformed: body.clear(); break;
+        }
+        drainOutput();
+        return printedBytes_ > request.outputBytes ? Event::flooded : Event::answered;
+    }
+}
+
+void Child::drainOutput() {
+    char buffer[8192];
+    // Bounded, so that a flood cannot hold the parent here.
+    for (int round = 0; round < 64; ++round) {
+        const ssize_t got = read(output_, buffer, sizeof buffer);
+        if (got <= 0)
+            return;
+        printedBytes_ += static_cast<std::size_t>(got);
+        if (printed_.size() < kKeptOutput)
+            printed_.append(buffer, static_cast<std::size_t>(got));
+    }
+}
+
+int Child::stop(bool letItEnd) {
+    if (pid_ <= 0)
+        return 0;
+    int status = 0;
+    // A child that closed its channel is ending, or plays dead: it gets a moment, not more.
+    for (int waited = 0; letItEnd && waited < 200; ++waited) {
+        if (waitpid(pid_, &status, WNOHANG) == pid_) {
+            killStrays(pid_);
+            pid_ = -1;
+            return status;
+        }
+        usleep(1000);
+    }
+    killStrays(pid_);
+    kill(pid_, SIGKILL);
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    while (waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
+    return status;
+}
+
+Answer Child::explainAnswer(const Bytes& body) {
+    Answer answer;
+    char extra;
+    try {
+        answer = protocol::decodeAnswer(body);
+        if (recv(channel_, &extra, 1, MSG_DONTWAIT) > 0)
+            throw protocol::ProtocolError("bytes after the answer");
+    } catch (const protocol::ProtocolError&) {
+        stop(false);
+        answer = {};
+        answer.outcome = Outcome::tampered;
+        answer.detail = "bytes that are no answer came out of the submission's process";
+    }
+    if (answer.outcome == Outcome::missing)
+        answer.detail = describeMissingSymbol(files_.object, answer.detail);
+    return answer;
+}
+
+Answer Child::explainEnd(int waitStatus) {
+    Answer answer;
+    if (WIFSIGNALED(waitStatus)) {
+        answer.outcome = Outcome::crash;
+        answer.code = WTERMSIG(waitStatus);
+        std::vector<std::uint64_t> offsets(64);
+        const ssize_t got = read(crash_, offsets.data(), offsets.size() * sizeof offsets[0]);
+        offsets.resize(got > 0 ? static_cast<std::size_t>(got) / sizeof offsets[0] : 0);
+        answer.detail = locateCrash(files_.object, offsets);
+        return answer;
+    }
+    answer.outcome = Outcome::exited;
+    answer.code = WEXITSTATUS(waitStatus);
+    const std::string marker = "undefined symbol: ";
+    if (const auto at = printed_.find(marker); answer.code == kLoaderFailed && at != std::string::npos) {
+        answer.outcome = Outcome::missing;
+        answer.detail = describeMissingSymbol(files_.object, trimmed(printed_.substr(at + marker.size())));
+    }
+    return answer;
+}
+
+}  // namespace runner

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+#include "protocol/Message.h"
+#include "runner/Host.h"
+
+namespace runner {
+
+/// The parent's handle on one forked child that runs student code.
+///
+/// The parent itself never loads the subject: it passes requests down, watches time and output,
+/// and says in plain data how the child ended.
+class Child {
+public:
+    explicit Child(const SubjectFiles& files);
+    ~Child();
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Serves one request. The nonce of the answer is the request's.
+    protocol::Answer ask(const protocol::Request& request);
+
+    /// False once the child has ended or was stopped; ask() then may not be called.
+    bool alive() const { return pid_ > 0; }
+
+private:
+    enum class Event { answered, closed, late, flooded };
+
+    Event await(const protocol::Request& request, protocol::Bytes& body);
+    void drainOutput();
+    /// Kills the child with all it started, and reaps it. Returns the status of waitpid.
+    int stop(bool letItEnd);
+    protocol::Answer explainEnd(int waitStatus);
+    protocol::Answer explainAnswer(const protocol::Bytes& body);
+
+    const SubjectFiles& files_;
+    pid_t pid_ = -1;
+    int channel_ = -1;
+    int output_ = -1;
+    int crash_ = -1;
+    std::string printed_;            ///< the first part of what the child wrote
+    std::size_t printedBytes_ = 0;   ///< all that it wrote in this request
+};
+
+}  // namespace runner

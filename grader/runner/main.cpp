@@ -1,0 +1,66 @@
+// The runner: a small sandboxed program that hosts a student's code.
+//
+// Theory of operation. The judge starts `runner SUBJECT RESOURCES DESCRIPTOR` in a sandbox and
+// sends requests over the inherited socket. This process, the parent, only forks and watches: it
+// never loads the subject, so nothing a student wrote can reach the judge's socket or a later
+// request. A call gets a fresh child. Frames share one child, because an OpenGL context is dear;
+// it is replaced when it dies. Every child loads the subject itself, so even a crash in a static
+// initialiser costs one request and is reported with its line.
+
+#include <signal.h>
+#include <sys/prctl.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "runner/Child.h"
+
+namespace {
+
+using protocol::Answer;
+using protocol::Bytes;
+using protocol::Request;
+using protocol::RequestKind;
+
+Answer serve(const Request& request, const runner::SubjectFiles& files,
+             std::unique_ptr<runner::Child>& frameChild) {
+    if (request.kind == RequestKind::call)
+        return runner::Child(files).ask(request);
+    if (!frameChild || !frameChild->alive())
+        frameChild = std::make_unique<runner::Child>(files);
+    return frameChild->ask(request);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::cerr << "usage: runner SUBJECT RESOURCES DESCRIPTOR\n"
+                     "Started by the grader, not by hand.\n";
+        return 2;
+    }
+    const runner::SubjectFiles files{argv[1], argv[2]};
+    const int judge = std::atoi(argv[3]);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    signal(SIGPIPE, SIG_IGN);
+
+    std::unique_ptr<runner::Child> frameChild;
+    Bytes body;
+    while (protocol::readMessage(judge, protocol::kRequestMagic, protocol::kLargestRequest, -1,
+                                 body) == protocol::ReadStatus::ok) {
+        const Request request = protocol::decodeRequest(body);
+        Answer answer;
+        try {
+            answer = serve(request, files, frameChild);
+        } catch (const std::exception& error) {
+            answer.nonce = request.nonce;
+            answer.outcome = protocol::Outcome::faulty;
+            answer.detail = error.what();
+        }
+        if (!protocol::writeAll(judge, protocol::framed(protocol::kAnswerMagic,
+                                                        protocol::encodeAnswer(answer))))
+            break;
+    }
+    return 0;
+}

@@ -1,0 +1,177 @@
+#include "Build.h"
+
+#include <algorithm>
+#include <future>
+#include <map>
+
+#include "Error.h"
+#include "ObjectCache.h"
+#include "Process.h"
+
+namespace grader {
+
+namespace {
+
+constexpr int kCompilerMemoryMib = 2048;
+constexpr std::size_t kLongestLog = 256 * 1024;
+
+/// What one command made of its input.
+struct Made {
+    bool ok = false;
+    std::string log;
+};
+
+class OneBuild {
+public:
+    OneBuild(const Toolchain& tools, const Sandbox& sandbox, const Stage& stage,
+             const AssignmentLimits& limits, const fs::path& work)
+        : tools_(tools), sandbox_(sandbox), stage_(stage), limits_(limits),
+          cache_(tools.cache / "objects"), sources_(work / "stage"), out_(work / "out") {}
+
+    BuildResult run() {
+        layOut();
+        std::vector<std::future<Made>> compiling;
+        const auto files = translationUnits();
+        for (const StagedFile* file : files)
+            compiling.push_back(std::async(std::launch::async, [=, this] { return compile(*file); }));
+        BuildResult result;
+        result.stage = sources_;
+        result.ok = true;
+        for (std::future<Made>& each : compiling)
+            note(each.get(), result);
+        if (result.ok)
+            note(link(files), result);
+        std::stable_sort(result.diagnostics.begin(), result.diagnostics.end(),
+                         [](const Diagnostic& a, const Diagnostic& b) {
+                             return a.severity == "error" && b.severity != "error";
+                         });
+        result.object = out_ / "subject.so";
+        return result;
+    }
+
+private:
+    void layOut() const {
+        for (const StagedFile& file : stage_.files)
+            writeFile(sources_ / file.name, file.content);
+        fs::create_directories(out_);
+        shareWithSandbox(sources_, false);
+        shareWithSandbox(out_, true);
+    }
+
+    /// The student's own files first: the linker takes the first definition it meets.
+    std::vector<const StagedFile*> translationUnits() const {
+        std::vector<const StagedFile*> files;
+        for (const Role role : {Role::own, Role::provided, Role::inherited})
+            for (const StagedFile& file : stage_.files)
+                if (file.role == role && fs::path(file.name).extension() == ".cpp")
+                    files.push_back(&file);
+        return files;
+    }
+
+    static std::string objectName(const StagedFile& file) {
+        std::string name = file.name;
+        std::replace(name.begin(), name.end(), '/', '_');
+        return name + ".o";
+    }
+
+    Made compile(const StagedFile& file) {
+        std::vector<std::string> command = {tools_.compiler};
+        command.insert(command.end(), tools_.compileFlags.begin(), tools_.compileFlags.end());
+        const std::string kit = tools_.kit.string();
+        for (const std::string& each :
+             {std::string("-include"), kit + "/prelude/prelude.h", "-I" + kit + "/include",
+              std::string("-I."), "-ffile-prefix-map=" + sources_.string() + "=.",
+              std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
+              std::string("-fmessage-length=0"), std::string("-fmax-errors=20")})
+            command.push_back(each);
+        command.insert(command.end(), {"-c", file.name, "-o", (out_ / objectName(file)).string()});
+        return cached(keyOf(file), command, objectName(file));
+    }
+
+    Made link(const std::vector<const StagedFile*>& files) {
+        std::vector<std::string> objects, inherited;
+        std::string key = "link";
+        for (const StagedFile* file : files) {
+            (file->role == Role::inherited ? inherited : objects)
+                .push_back((out_ / objectName(*file)).string());
+            key += " " + file->name + " " + keyOf(*file);
+        }
+        if (!inherited.empty()) {
+            std::vector<std::string> archive = {"ar", "rcs", (out_ / "inherited.a").string()};
+            archive.insert(archive.end(), inherited.begin(), inherited.end());
+            if (Made made = cached(sha256("archive" + key), archive, "inherited.a"); !made.ok)
+                return made;
+            objects.push_back((out_ / "inherited.a").string());
+        }
+        std::vector<std::string> command = {tools_.compiler};
+        command.insert(command.end(), tools_.linkFlags.begin(), tools_.linkFlags.end());
+        command.insert(command.end(), objects.begin(), objects.end());
+        command.push_back((tools_.kit / "lib/libcg.a").string());
+        command.insert(command.end(), {"-o", (out_ / "subject.so").string()});
+        return cached(sha256(key), command, "subject.so");
+    }
+
+    /// All that the object depends on: flags, compiler, our headers, the file and every header
+    /// and provided text of the stage.
+    std::string keyOf(const StagedFile& file) const {
+        std::string text = tools_.compiler + "\n" + tools_.compilerVersion + "\n" +
+                           tools_.kitFingerprint + "\n" + sandboxIndependentFlags();
+        for (const StagedFile& each : stage_.files)
+            if (&each == &file || fs::path(each.name).extension() != ".cpp")
+                text += each.name + "\n" + sha256(each.content) + "\n";
+        return sha256(file.name + "\n" + text);
+    }
+    std::string sandboxIndependentFlags() const {
+        return fmt::format("{} {}\n", fmt::join(tools_.compileFlags, " "),
+                           fmt::join(tools_.linkFlags, " "));
+    }
+
+    Made cached(const std::string& key, const std::vector<std::string>& command,
+                const std::string& output) {
+        const fs::path made = out_ / output;
+        if (const auto log = cache_.fetch(key, made))
+            return {true, *log};
+        Confinement confinement;
+        confinement.readable = {tools_.kit, sources_};
+        confinement.writable = {out_};
+        confinement.workingFolder = sources_;
+        confinement.limits.cpuSeconds = limits_.buildSeconds;
+        confinement.limits.memoryMib = kCompilerMemoryMib;
+        ProcessResult result =
+            grader::run(sandbox_.confine(confinement, command), limits_.buildSeconds, kLongestLog);
+        if (result.timedOut || result.signal != 0)
+            result.output += fmt::format("\n{}:1:1: error: the compiler did not finish within {} s\n",
+                                         output.substr(0, output.size() - 2), limits_.buildSeconds);
+        if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
+            cache_.store(key, made, result.output);
+        return {result.succeeded(), result.output};
+    }
+
+    static void note(const Made& made, BuildResult& result) {
+        const auto found = parseDiagnostics(made.log);
+        result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
+        result.ok = result.ok && made.ok;
+        const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {
+            return each.severity == "error";
+        });
+        if (!made.ok && !explained)
+            result.diagnostics.push_back(
+                {"", 0, 0, "error", made.log.substr(0, made.log.find('\n'))});
+    }
+
+    const Toolchain& tools_;
+    const Sandbox& sandbox_;
+    const Stage& stage_;
+    const AssignmentLimits& limits_;
+    ObjectCache cache_;
+    fs::path sources_, out_;
+};
+
+}  // namespace
+
+BuildResult Builder::build(const Stage& stage, const AssignmentLimits& limits,
+                           const fs::path& work) const {
+    return OneBuild(tools_, sandbox_, stage, limits, work).run();
+}
+
+}  // namespace grader

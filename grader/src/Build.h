@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Collect.h"
+#include "Sandbox.h"
+#include "Toolchain.h"
+
+namespace grader {
+
+struct BuildResult {
+    bool ok = false;
+    std::vector<Diagnostic> diagnostics;  ///< errors first, in the order of the compiler
+    fs::path stage;                       ///< the folder with the files
+    fs::path object;                      ///< the subject, when ok
+};
+
+/// Builds a stage into one shared object, below `work`.
+///
+/// One compiler call per source file, in the sandbox, in parallel; what the same compiler made of
+/// the same text before is taken from the cache. Inherited files are linked from an archive, so
+/// that a student's own definition wins. Never runs what it built.
+class Builder {
+public:
+    Builder(const Toolchain& tools, const Sandbox& sandbox) : tools_(tools), sandbox_(sandbox) {}
+
+    BuildResult build(const Stage& stage, const AssignmentLimits& limits,
+                      const fs::path& work) const;
+
+private:
+    const Toolchain& tools_;
+    const Sandbox& sandbox_;
+};
+
+}  // namespace grader

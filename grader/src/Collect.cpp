@@ -1,0 +1,186 @@
+#include "Collect.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "Error.h"
+
+namespace grader {
+
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 4u << 20;
+
+/// Files of the assignment's folder that are no part of a subject.
+bool isProvided(const fs::path& name) {
+    static const std::set<std::string> others = {"app.cpp", "README.md", "assignment.json"};
+    const std::string top = name.begin()->string();
+    if (top == "tests" || others.contains(name.string()))
+        return false;
+    static const std::set<std::string> kinds = {".h", ".cpp", ".inl", ".vert", ".frag", ".glsl"};
+    return kinds.contains(name.extension().string());
+}
+
+std::size_t lineOf(const std::string& text, std::size_t position) {
+    return 1 + static_cast<std::size_t>(
+                   std::count(text.begin(), text.begin() + static_cast<long>(position), '\n'));
+}
+
+class Collector {
+public:
+    Collector(const fs::path& root, const Manifest& manifest, const Submission& submission)
+        : root_(root), manifest_(manifest), submission_(submission) {}
+
+    Collected run() {
+        addProvided();
+        for (const std::string& name : manifest_.submit)
+            addOwn(name);
+        for (const auto& [name, from] : manifest_.inherits)
+            addInherited(name, from);
+        listIgnored();
+        return std::move(result_);
+    }
+
+private:
+    fs::path starter(const std::string& id) const { return root_ / "assignments" / id; }
+
+    void addProvided() {
+        const std::set<std::string> student(manifest_.submit.begin(), manifest_.submit.end());
+        std::vector<fs::path> names;
+        for (const auto& entry : fs::recursive_directory_iterator(manifest_.folder))
+            if (entry.is_regular_file())
+                names.push_back(entry.path().lexically_relative(manifest_.folder));
+        std::sort(names.begin(), names.end());
+        for (const fs::path& name : names)
+            if (isProvided(name) && !student.contains(name.string()))
+                result_.stage.files.push_back({name.string(), Role::provided, "assignment",
+                                               readFile(manifest_.folder / name)});
+    }
+
+    void addOwn(const std::string& name) {
+        const fs::path folder = submission_.folderFor(manifest_.id, manifest_.id);
+        if (fs::exists(fs::symlink_status(folder / name))) {
+            result_.anythingSubmitted = true;
+            add(name, Role::own, "submission", folder / name);
+            return;
+        }
+        result_.notices.push_back(name + " is missing: graded with the starter's file");
+        add(name, Role::own, "starter", starter(manifest_.id) / name);
+    }
+
+    void addInherited(const std::string& name, const std::string& from) {
+        struct Place {
+            const char* origin;
+            fs::path path;
+        };
+        const Place places[] = {
+            {"submission", submission_.folderFor(manifest_.id, manifest_.id) / name},
+            {"submission", submission_.folderFor(from, manifest_.id) / name},
+            {"solutions", root_ / "solutions" / from / name},
+            {"starter", starter(from) / name},
+        };
+        for (const Place& place : places)
+            if (fs::exists(fs::symlink_status(place.path)))
+                return add(name, Role::inherited, place.origin, place.path);
+        throw Error("{}: inherited file {} is nowhere in assignments/{}",
+                    (manifest_.folder / "assignment.json").string(), name, from);
+    }
+
+    void add(const std::string& name, Role role, const std::string& origin, const fs::path& path) {
+        StagedFile file{name, role, origin, ""};
+        const auto refuse = [&](int line, const std::string& why) {
+            result_.unreadable.push_back({name, line, 0, "error", why});
+        };
+        std::error_code error;
+        if (fs::is_symlink(path) || !fs::is_regular_file(path))
+            refuse(0, "expected a file, found " +
+                          std::string(fs::is_directory(path) ? "a folder" : "something else"));
+        else if (fs::file_size(path, error) > kLargestFile)
+            refuse(0, "the file is larger than 4 MiB");
+        else {
+            try {
+                file.content = readFile(path);
+            } catch (const Error&) {
+                refuse(0, "the file cannot be read: check its permissions");
+            }
+        }
+        if (const auto bad = firstInvalidUtf8(file.content); bad != std::string::npos)
+            refuse(static_cast<int>(lineOf(file.content, bad)),
+                   fmt::format("the file is not UTF-8 (byte 0x{:02X}): save it with the encoding "
+                               "UTF-8",
+                               static_cast<unsigned char>(file.content[bad])));
+        normalise(file);
+        result_.stage.files.push_back(std::move(file));
+    }
+
+    /// Takes out what only some editors write.
+    void normalise(StagedFile& file) {
+        if (file.content.starts_with("\xEF\xBB\xBF"))
+            file.content.erase(0, 3);
+        std::string lines;
+        for (std::size_t i = 0; i < file.content.size(); ++i)
+            if (file.content[i] != '\r' || file.content.substr(i + 1, 1) != "\n")
+                lines += file.content[i];
+        file.content = std::move(lines);
+    }
+
+    /// Everything else in the submission's folder; a folder is one entry.
+    void listIgnored() {
+        const fs::path folder = submission_.folderFor(manifest_.id, manifest_.id);
+        if (!fs::is_directory(folder))
+            return;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const std::string name = entry.path().filename().string();
+            const bool taken = result_.stage.find(name) != nullptr;
+            const bool ours = fs::equivalent(folder, manifest_.folder) || sameAsOurs(entry, name);
+            if (!taken && !ours && !holdsTaken(name))
+                result_.ignored.push_back(entry.is_directory() ? name + "/" : name);
+            else if (taken && !ours && result_.stage.find(name)->role == Role::provided)
+                result_.ignored.push_back(name);
+        }
+        std::sort(result_.ignored.begin(), result_.ignored.end());
+    }
+    bool sameAsOurs(const fs::directory_entry& entry, const std::string& name) const {
+        const fs::path ours = manifest_.folder / name;
+        return entry.is_regular_file() && fs::is_regular_file(ours) &&
+               entry.file_size() <= kLargestFile && readFile(entry.path()) == readFile(ours);
+    }
+    bool holdsTaken(const std::string& folder) const {
+        return std::any_of(result_.stage.files.begin(), result_.stage.files.end(),
+                           [&](const StagedFile& file) {
+                               return file.role != Role::provided &&
+                                      file.name.starts_with(folder + "/");
+                           });
+    }
+
+    const fs::path& root_;
+    const Manifest& manifest_;
+    const Submission& submission_;
+    Collected result_;
+};
+
+}  // namespace
+
+fs::path Submission::folderFor(const std::string& assignment, const std::string& graded) const {
+    if (perAssignment)
+        return folder / assignment;
+    return assignment == graded ? folder : folder / ".." / assignment / "none";
+}
+
+StagedFile* Stage::find(const std::string& name) {
+    return const_cast<StagedFile*>(std::as_const(*this).find(name));
+}
+
+const StagedFile* Stage::find(const std::string& name) const {
+    for (const StagedFile& file : files)
+        if (file.name == name)
+            return &file;
+    return nullptr;
+}
+
+Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission) {
+    return Collector(root, manifest, submission).run();
+}
+
+}  // namespace grader

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "Diagnostics.h"
+#include "Manifest.h"
+
+namespace grader {
+
+/// Where a submission is. Either `folder` holds one folder per assignment, or it is the folder of
+/// one assignment's files.
+struct Submission {
+    fs::path folder;
+    bool perAssignment = true;
+
+    /// Its folder for an assignment; it need not exist.
+    fs::path folderFor(const std::string& assignment, const std::string& graded) const;
+};
+
+/// Whose file it is in the stage.
+enum class Role {
+    own,        ///< the student's file of this assignment
+    inherited,  ///< the student's file of an earlier one
+    provided,   ///< the assignment's own: scene, harness, shaders
+};
+
+struct StagedFile {
+    std::string name;  ///< relative to the stage
+    Role role;
+    std::string origin;  ///< "submission", "solutions", "starter", "assignment"
+    std::string content;
+};
+
+/// A clean copy of the assignment with the submission's files laid over it.
+struct Stage {
+    std::vector<StagedFile> files;
+
+    StagedFile* find(const std::string& name);
+    const StagedFile* find(const std::string& name) const;
+};
+
+struct Collected {
+    Stage stage;
+    std::vector<std::string> ignored;     ///< files and folders (with a slash) not taken
+    std::vector<std::string> notices;
+    std::vector<Diagnostic> unreadable;  ///< files that cannot be taken as they are
+    bool anythingSubmitted = false;
+};
+
+/// Takes the files that the manifest lists and nothing else.
+///
+/// A missing file is named and replaced by the starter's. An inherited file is looked up in the
+/// submission's folder for this assignment, in its folder for the named one, in solutions/, then
+/// in the starter. A byte-order mark and carriage returns are taken out; a file that is not UTF-8
+/// or cannot be read is reported in `unreadable`.
+Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);
+
+}  // namespace grader

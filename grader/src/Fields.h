@@ -1,0 +1,80 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "Error.h"
+
+namespace grader {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads a JSON object that people write by hand. Every complaint names the file, the place, what
+/// is allowed and what was found.
+class Fields {
+public:
+    /// `where` is "file" or "file: tasks[2]".
+    Fields(const Json& object, std::string where) : object_(object), where_(std::move(where)) {
+        if (!object.is_object())
+            throw Error("{}: expected an object, found {}", where_, object.type_name());
+    }
+
+    template <class T>
+    T get(const std::string& name) {
+        known_.insert(name);
+        if (!object_.contains(name))
+            throw Error("{}: field \"{}\" is missing", where_, name);
+        return convert<T>(name);
+    }
+    template <class T>
+    T get(const std::string& name, T fallback) {
+        known_.insert(name);
+        return object_.contains(name) ? convert<T>(name) : std::move(fallback);
+    }
+    /// The elements of an array as objects of their own.
+    std::vector<Fields> list(const std::string& name) {
+        const auto array = get<Json>(name, Json::array());
+        if (!array.is_array())
+            throw Error("{}: field \"{}\": expected an array, found {}", where_, name,
+                        array.type_name());
+        std::vector<Fields> all;
+        for (std::size_t i = 0; i < array.size(); ++i)
+            all.emplace_back(object_.at(name).at(i), fmt::format("{}: {}[{}]", where_, name, i));
+        return all;
+    }
+    Fields object(const std::string& name) {
+        known_.insert(name);
+        static const Json empty = Json::object();
+        return {object_.contains(name) ? object_.at(name) : empty, where_ + ": " + name};
+    }
+
+    /// Throws for any field that nobody asked for.
+    void done() const {
+        for (const auto& [name, value] : object_.items())
+            if (!known_.contains(name))
+                throw Error("{}: unknown field \"{}\"; allowed are {}", where_, name,
+                            fmt::join(known_, ", "));
+    }
+    const std::string& where() const { return where_; }
+
+private:
+    template <class T>
+    T convert(const std::string& name) const {
+        try {
+            return object_.at(name).get<T>();
+        } catch (const nlohmann::json::exception&) {
+            throw Error("{}: field \"{}\": {} is not of the right kind", where_, name,
+                        object_.at(name).dump());
+        }
+    }
+
+    const Json& object_;
+    std::string where_;
+    std::set<std::string> known_;
+};
+
+/// Parses a file of JSON; syntax errors name the file and the place.
+Json parseJsonFile(const std::string& path);
+
+}  // namespace grader

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace grader {
+
+namespace fs = std::filesystem;
+
+/// The whole file; throws Error when it cannot be read.
+std::string readFile(const fs::path& path);
+
+/// Writes by way of a temporary file and a rename, so that a reader never sees half of it.
+void writeFile(const fs::path& path, const std::string& content);
+
+/// SHA-256 as 64 hexadecimal digits.
+std::string sha256(const std::string& data);
+
+/// Index of the first byte that is not UTF-8; npos when all is well.
+std::size_t firstInvalidUtf8(const std::string& text);
+
+/// A new folder under the system's temporary folder, removed with all in it at the end.
+class WorkFolder {
+public:
+    WorkFolder();
+    ~WorkFolder();
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+}  // namespace grader

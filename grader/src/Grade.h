@@ -1,0 +1,54 @@
+#pragma once
+
+#include "Observe.h"
+#include "Result.h"
+
+namespace grader {
+
+/// Grades: collect → stage → build → observe → judge. Reports are made elsewhere.
+class Grader {
+public:
+    Grader(const Toolchain& tools, const Sandbox& sandbox)
+        : tools_(tools), sandbox_(sandbox), builder_(tools, sandbox), observer_(tools, sandbox) {}
+
+    /// One assignment of a submission. Throws Error for the grader's own faults only.
+    AssignmentResult grade(const Manifest& manifest, const Submission& submission,
+                           std::uint64_t seed) const;
+
+    /// One stage as it is, without looking for prerequisites. What proves the course consistent,
+    /// and the core of grade().
+    struct StageResult {
+        BuildResult build;
+        std::vector<CheckResult> checks;
+        protocol::GraphicsInfo graphics;
+        double buildSeconds = 0, observeSeconds = 0;
+    };
+    StageResult gradeStage(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
+
+    /// The frames that a stage draws; throws Error when it does not build or a frame fails.
+    std::map<std::string, Picture> draw(const Manifest& manifest, const Stage& stage,
+                                        std::uint64_t seed) const;
+
+    /// The stage of the starter or of the solution ("assignments", "solutions").
+    Stage stageOf(const Manifest& manifest, const std::string& tree) const;
+
+    const Toolchain& tools() const { return tools_; }
+
+private:
+    void judgeFrames(const Manifest& manifest, Frames frames, std::uint64_t seed,
+                     std::vector<CheckResult>& checks) const;
+    struct Reference {
+        Picture picture, starter;
+    };
+    std::map<std::string, Reference> references(const Manifest& manifest,
+                                                std::uint64_t seed) const;
+    std::vector<CheckResult> unjudged(const Manifest& manifest) const;
+    void fillIn(AssignmentResult& result, const StageResult& graded, std::uint64_t seed) const;
+
+    const Toolchain& tools_;
+    const Sandbox& sandbox_;
+    Builder builder_;
+    Observer observer_;
+};
+
+}  // namespace grader

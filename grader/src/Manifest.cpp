@@ -1,0 +1,179 @@
+#include "Manifest.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "Fields.h"
+
+namespace grader {
+
+namespace {
+
+constexpr double kDefaultTolerance = 0.0005;
+constexpr int kLargestFrame = 3000;  // pixels a side
+
+/// A name from a manifest becomes part of a path: it must stay inside its folder.
+std::string plainFileName(const Fields& where, const std::string& name) {
+    const fs::path path(name);
+    const bool escapes = std::any_of(path.begin(), path.end(), [](const fs::path& part) {
+        return part == ".." || part == "." || part.empty();
+    });
+    if (name.empty() || path.is_absolute() || escapes)
+        throw Error("{}: \"{}\" is no file name below the assignment's folder", where.where(), name);
+    return name;
+}
+
+Task readTask(Fields fields) {
+    Task task;
+    task.id = fields.get<std::string>("id");
+    task.title = fields.get<std::string>("title");
+    task.points = fields.get<double>("points");
+    task.needs = fields.get<std::vector<std::string>>("needs", {});
+    task.hint = fields.get<std::string>("hint", "");
+    fields.done();
+    if (task.points <= 0)
+        throw Error("{}: points must be above 0, found {}", fields.where(), task.points);
+    return task;
+}
+
+Frame readFrame(Fields fields) {
+    Frame frame;
+    frame.id = fields.get<std::string>("id");
+    frame.title = fields.get<std::string>("title", frame.id);
+    frame.task = fields.get<std::string>("task");
+    frame.points = fields.get<double>("points");
+    const auto size = fields.get<std::vector<int>>("size");
+    frame.tolerance = fields.get<double>("tolerance", kDefaultTolerance);
+    const auto why = fields.get<std::string>("why", "");
+    fields.done();
+    if (size.size() != 2 || std::min(size[0], size[1]) < 1 ||
+        std::max(size[0], size[1]) > kLargestFrame)
+        throw Error("{}: field \"size\": expected [width, height] in pixels, 1 to {}",
+                    fields.where(), kLargestFrame);
+    if (frame.tolerance > kDefaultTolerance && why.empty())
+        throw Error("{}: a tolerance above {} needs a \"why\"", fields.where(), kDefaultTolerance);
+    frame.width = size[0];
+    frame.height = size[1];
+    return frame;
+}
+
+AssignmentLimits readLimits(Fields fields) {
+    AssignmentLimits limits;
+    limits.buildSeconds = fields.get<int>("build_seconds", limits.buildSeconds);
+    limits.callSeconds = fields.get<double>("call_seconds", limits.callSeconds);
+    limits.frameSeconds = fields.get<double>("frame_seconds", limits.frameSeconds);
+    limits.memoryMib = fields.get<int>("memory_mib", limits.memoryMib);
+    limits.outputKib = fields.get<int>("output_kib", limits.outputKib);
+    fields.done();
+    return limits;
+}
+
+/// What one field alone cannot show.
+void requireConsistent(const Manifest& manifest, const std::string& file) {
+    double sum = 0;
+    for (const Task& task : manifest.tasks) {
+        sum += task.points;
+        if (manifest.framePoints(task.id) > task.points)
+            throw Error("{}: the frames of task \"{}\" have more points than the task", file,
+                        task.id);
+    }
+    if (std::abs(sum - 100.0) > 1e-6)
+        throw Error("{}: the points of all tasks must add up to 100, found {}", file, sum);
+    for (const Frame& frame : manifest.frames)
+        if (!manifest.task(frame.task))
+            throw Error("{}: frame \"{}\" names the unknown task \"{}\"", file, frame.id,
+                        frame.task);
+    if (manifest.id != manifest.folder.filename())
+        throw Error("{}: field \"id\": expected the folder's name \"{}\", found \"{}\"", file,
+                    manifest.folder.filename().string(), manifest.id);
+}
+
+}  // namespace
+
+Json parseJsonFile(const std::string& path) {
+    try {
+        return Json::parse(readFile(path));
+    } catch (const nlohmann::json::parse_error& error) {
+        throw Error("{}: not JSON: {}", path, error.what());
+    }
+}
+
+std::string Task::suite() const {
+    std::string name;
+    bool upper = true;
+    for (const char each : id) {
+        if (each == '-')
+            upper = true;
+        else {
+            name += upper ? static_cast<char>(std::toupper(each)) : each;
+            upper = false;
+        }
+    }
+    return name;
+}
+
+const Task* Manifest::task(const std::string& taskId) const {
+    for (const Task& each : tasks)
+        if (each.id == taskId)
+            return &each;
+    return nullptr;
+}
+
+double Manifest::framePoints(const std::string& taskId) const {
+    double sum = 0;
+    for (const Frame& frame : frames)
+        if (frame.task == taskId)
+            sum += frame.points;
+    return sum;
+}
+
+Manifest Manifest::load(const fs::path& folder) {
+    const std::string file = (folder / "assignment.json").string();
+    const Json json = parseJsonFile(file);
+    Fields fields(json, file);
+    if (const int format = fields.get<int>("format"); format != kFormat)
+        throw Error("{}: field \"format\": expected {}, found {}: this grader reads no other",
+                    file, kFormat, format);
+    Manifest manifest;
+    manifest.folder = folder;
+    manifest.id = fields.get<std::string>("id");
+    manifest.title = fields.get<std::string>("title");
+    manifest.chapter = fields.get<int>("chapter");
+    manifest.summary = fields.get<std::string>("summary");
+    for (const auto& name : fields.get<std::vector<std::string>>("submit"))
+        manifest.submit.push_back(plainFileName(fields, name));
+    for (const auto& [name, from] :
+         fields.get<std::map<std::string, std::string>>("inherits", {}))
+        manifest.inherits[plainFileName(fields, name)] = from;
+    manifest.limits = readLimits(fields.object("limits"));
+    for (const Fields& task : fields.list("tasks"))
+        manifest.tasks.push_back(readTask(task));
+    for (const Fields& frame : fields.list("frames"))
+        manifest.frames.push_back(readFrame(frame));
+    manifest.starterPasses = fields.get<std::vector<std::string>>("starter_passes", {});
+    fields.done();
+    requireConsistent(manifest, file);
+    return manifest;
+}
+
+std::vector<std::string> knownAssignments(const fs::path& root) {
+    std::vector<std::string> ids;
+    for (const auto& entry : fs::directory_iterator(root / "assignments"))
+        if (fs::exists(entry.path() / "assignment.json"))
+            ids.push_back(entry.path().filename().string());
+    std::sort(ids.begin(), ids.end());
+    if (ids.empty())
+        throw Error("{} holds no assignment: expected folders with an assignment.json",
+                    (root / "assignments").string());
+    return ids;
+}
+
+Manifest loadAssignment(const fs::path& root, const std::string& id) {
+    const auto known = knownAssignments(root);
+    if (std::find(known.begin(), known.end(), id) == known.end())
+        throw Error("there is no assignment \"{}\"; known are {}", id, fmt::join(known, ", "));
+    return Manifest::load(root / "assignments" / id);
+}
+
+}  // namespace grader

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "Files.h"
+
+namespace grader {
+
+/// A task, a frame, an assignment: assignment.json as the grader knows it. The fields are
+/// explained in assignments/FORMAT.md.
+struct Task {
+    std::string id, title, hint;
+    double points = 0;
+    std::vector<std::string> needs;  ///< "task" or "NN-name/task"
+
+    /// The test suite of the task: rotate-up → RotateUp.
+    std::string suite() const;
+};
+
+struct Frame {
+    std::string id, title, task;
+    double points = 0;
+    int width = 0, height = 0;  ///< pixels
+    double tolerance = 0.0005;  ///< share of pixels that may differ
+};
+
+struct AssignmentLimits {
+    int buildSeconds = 20;
+    double callSeconds = 2;
+    double frameSeconds = 4;
+    int memoryMib = 1024;
+    int outputKib = 64;
+};
+
+struct Manifest {
+    static constexpr int kFormat = 1;
+
+    std::string id, title, summary;
+    int chapter = 0;
+    fs::path folder;
+    std::vector<std::string> submit;              ///< file names
+    std::map<std::string, std::string> inherits;  ///< file name → assignment
+    AssignmentLimits limits;
+    std::vector<Task> tasks;
+    std::vector<Frame> frames;
+    std::vector<std::string> starterPasses;  ///< checks that the starter may pass
+
+    const Task* task(const std::string& taskId) const;
+    double framePoints(const std::string& taskId) const;
+
+    /// Throws Error for anything that FORMAT.md does not allow.
+    static Manifest load(const fs::path& folder);
+};
+
+/// Ids of all assignments below `root`/assignments, in order. Throws Error when there is none.
+std::vector<std::string> knownAssignments(const fs::path& root);
+
+/// The manifest of one of them; an unknown id is refused with the list of known ones.
+Manifest loadAssignment(const fs::path& root, const std::string& id);
+
+}  // namespace grader

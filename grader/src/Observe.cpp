@@ -1,0 +1,163 @@
+#include "Observe.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "Error.h"
+#include "Fields.h"
+#include "Process.h"
+#include "subject/Subject.h"
+
+namespace grader {
+
+namespace {
+
+using judge::Status;
+
+/// Time that a test program may take beyond what its calls are charged for.
+constexpr double kJudgeSeconds = 60.0;
+
+/// Only a renderer on the CPU gives the same picture everywhere.
+bool drawsOnTheCpu(const std::string& renderer) {
+    return renderer.find("llvmpipe") != std::string::npos ||
+           renderer.find("softpipe") != std::string::npos;
+}
+
+void requireSuites(const Manifest& manifest, const std::vector<TestOutcome>& tests) {
+    for (const TestOutcome& test : tests)
+        if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
+                         [&](const Task& task) { return task.suite() == test.suite; }))
+            throw Error("test {} belongs to no task of {}: name its suite after one of them, such "
+                        "as {}",
+                        test.id(), manifest.id, manifest.tasks.front().suite());
+    for (const Task& task : manifest.tasks)
+        if (task.points > manifest.framePoints(task.id) &&
+            std::none_of(tests.begin(), tests.end(),
+                         [&](const TestOutcome& test) { return test.suite == task.suite(); }))
+            throw Error("task \"{}\" of {} has no test: expected TEST({}, …) in assignments/{}/tests",
+                        task.id, manifest.id, task.suite(), manifest.id);
+}
+
+std::string lastLine(const std::string& text) {
+    const auto end = text.find_last_not_of('\n');
+    if (end == std::string::npos)
+        return "";
+    const auto start = text.rfind('\n', end);
+    return text.substr(start == std::string::npos ? 0 : start + 1,
+                       end - (start == std::string::npos ? 0 : start + 1) + 1);
+}
+
+}  // namespace
+
+std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
+                                                 const BuildResult& build) const {
+    Confinement confinement;
+    confinement.readable = {tools_.kit, build.stage, build.object.parent_path()};
+    confinement.workingFolder = build.stage;
+    confinement.limits.memoryMib = manifest.limits.memoryMib;
+    confinement.limits.cpuSeconds = static_cast<int>(kJudgeSeconds);
+    return sandbox_.confine(confinement, {tools_.runner().string(), build.object.string(),
+                                          tools_.kit.string()});
+}
+
+std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const BuildResult& build,
+                                            std::uint64_t seed, const fs::path& work) const {
+    auto outcomes = runTestsOnce(manifest, build, seed, work);
+    const auto faulty = [](const TestOutcome& test) {
+        return test.verdict.status == Status::graderError;
+    };
+    if (std::any_of(outcomes.begin(), outcomes.end(), faulty))
+        outcomes = runTestsOnce(manifest, build, seed, work);
+    requireSuites(manifest, outcomes);
+    return outcomes;
+}
+
+std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const BuildResult& build,
+                                                std::uint64_t seed, const fs::path& work) const {
+    const fs::path resultFile = work / "checks.json";
+    std::vector<std::string> command = {
+        tools_.judge(manifest.id).string(),
+        "--result", resultFile.string(),
+        "--seed", std::to_string(seed),
+        "--call-ms", fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
+        "--output-kib", std::to_string(manifest.limits.outputKib),
+        "--"};
+    const auto runner = runnerCommand(manifest, build);
+    command.insert(command.end(), runner.begin(), runner.end());
+    fs::remove(resultFile);
+    const ProcessResult ran = run(command, kJudgeSeconds);
+    if (!fs::exists(resultFile))
+        throw Error("the test program {} wrote no result ({}): {}", command.front(),
+                    ran.timedOut ? "it did not end" : fmt::format("exit {}", ran.exitCode),
+                    lastLine(ran.output));
+    std::vector<TestOutcome> outcomes;
+    const Json document = parseJsonFile(resultFile.string());
+    for (const Json& each : document.at("checks"))
+        outcomes.push_back({each.at("suite"),
+                            each.at("name"),
+                            each.at("title"),
+                            each.at("hint"),
+                            each.at("todos"),
+                            {judge::statusFromString(each.at("status")), each.at("message")}});
+    return outcomes;
+}
+
+std::vector<TestOutcome> Observer::listTests(const Manifest& manifest) const {
+    const ProcessResult ran = run({tools_.judge(manifest.id).string(), "--gtest_list_tests"}, 10.0);
+    if (!ran.succeeded())
+        throw Error("the test program of {} cannot be run: {}", manifest.id, lastLine(ran.output));
+    std::vector<TestOutcome> tests;
+    std::istringstream lines(ran.output);
+    std::string suite;
+    for (std::string line; std::getline(lines, line);) {
+        line = line.substr(0, line.find("  #"));
+        if (line.starts_with("  "))
+            tests.push_back({suite, line.substr(2), line.substr(2), "", {}, {}});
+        else if (line.ends_with("."))
+            suite = line.substr(0, line.size() - 1);
+    }
+    requireSuites(manifest, tests);
+    return tests;
+}
+
+Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
+                            std::uint64_t seed) const {
+    Frames frames;
+    if (manifest.frames.empty())
+        return frames;
+    const auto subject = judge::startSubject(runnerCommand(manifest, build));
+    protocol::Request request;
+    request.timeoutMs = static_cast<std::uint32_t>(manifest.limits.frameSeconds * 1000);
+    request.outputBytes = static_cast<std::uint32_t>(manifest.limits.outputKib) * 1024;
+    request.kind = protocol::RequestKind::graphics;
+    const protocol::Answer graphics = subject->ask(request);
+    if (graphics.outcome != protocol::Outcome::ok) {
+        const auto verdict = judge::explain("OpenGL", request, graphics);
+        for (const Frame& frame : manifest.frames)
+            frames.byId[frame.id].verdict = {Status::graderError, verdict.message};
+        return frames;
+    }
+    frames.graphics = protocol::decodeGraphics(graphics.payload);
+    if (!drawsOnTheCpu(frames.graphics.renderer))
+        throw Error("frames for grading must be drawn by llvmpipe or softpipe, because other "
+                    "renderers give other pixels; found \"{}\"",
+                    frames.graphics.renderer);
+
+    request.kind = protocol::RequestKind::frame;
+    request.seed = seed;
+    for (const Frame& frame : manifest.frames) {
+        request.name = frame.id;
+        request.width = frame.width;
+        request.height = frame.height;
+        protocol::Answer answer = subject->ask(request);
+        FrameOutcome& outcome = frames.byId[frame.id];
+        outcome.todos = answer.todos;
+        if (answer.outcome == protocol::Outcome::ok)
+            outcome.picture = {frame.width, frame.height, std::move(answer.payload)};
+        else
+            outcome.verdict = judge::explain("the frame", request, answer);
+    }
+    return frames;
+}
+
+}  // namespace grader

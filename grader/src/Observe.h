@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "Build.h"
+#include "Manifest.h"
+#include "compare/Picture.h"
+#include "subject/Status.h"
+
+namespace grader {
+
+/// What became of one test of a judge's program.
+struct TestOutcome {
+    std::string suite, name, title, hint;
+    std::vector<std::string> todos;  ///< unfilled regions that were reached
+    judge::Verdict verdict{judge::Status::graderError, ""};
+
+    std::string id() const { return suite + "." + name; }
+};
+
+/// What became of one frame: a picture, or the reason why there is none.
+struct FrameOutcome {
+    Picture picture;
+    judge::Verdict verdict{judge::Status::pass, ""};
+    std::vector<std::string> todos;  ///< unfilled regions that were reached
+};
+
+struct Frames {
+    protocol::GraphicsInfo graphics;
+    std::map<std::string, FrameOutcome> byId;
+};
+
+/// Asks a built subject, which runs in the sandbox, what it does.
+class Observer {
+public:
+    Observer(const Toolchain& tools, const Sandbox& sandbox) : tools_(tools), sandbox_(sandbox) {}
+
+    /// Runs the assignment's test program, in this trusted process's name. A fault of the grader
+    /// is tried once more.
+    std::vector<TestOutcome> runTests(const Manifest& manifest, const BuildResult& build,
+                                      std::uint64_t seed, const fs::path& work) const;
+
+    /// Draws all frames of the manifest, in one process.
+    Frames drawFrames(const Manifest& manifest, const BuildResult& build, std::uint64_t seed) const;
+
+    /// The tests there are, none of them run. Throws Error when there is no test program.
+    std::vector<TestOutcome> listTests(const Manifest& manifest) const;
+
+private:
+    std::vector<std::string> runnerCommand(const Manifest& manifest,
+                                           const BuildResult& build) const;
+    std::vector<TestOutcome> runTestsOnce(const Manifest& manifest, const BuildResult& build,
+                                          std::uint64_t seed, const fs::path& work) const;
+
+    const Toolchain& tools_;
+    const Sandbox& sandbox_;
+};
+
+}  // namespace grader

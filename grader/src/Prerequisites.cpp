@@ -1,0 +1,199 @@
+#include "Prerequisites.h"
+
+#include <algorithm>
+#include <set>
+
+#include "Error.h"
+#include "Regions.h"
+
+namespace grader {
+
+namespace {
+
+/// A need: "rotation" of the same assignment, or "06-rotation/rotation".
+struct Need {
+    std::string assignment, task;
+};
+
+Need parseNeed(const std::string& text, const Manifest& manifest) {
+    const auto slash = text.find('/');
+    if (slash == std::string::npos)
+        return {manifest.id, text};
+    return {text.substr(0, slash), text.substr(slash + 1)};
+}
+
+class Mender {
+public:
+    Mender(const Grader& grader, const Manifest& manifest, Stage& stage, std::uint64_t seed,
+           Grader::StageResult& graded, std::vector<std::string>& notices)
+        : grader_(grader), root_(grader.tools().root), manifest_(manifest), stage_(stage),
+          seed_(seed), graded_(graded), notices_(notices) {}
+
+    void run() {
+        if (!graded_.build.ok && onlyInheritedFilesAreBroken())
+            replaceBrokenFiles();
+        if (!graded_.build.ok)
+            return;
+        const std::set<std::string> lost = dependentTasksThatLost();
+        if (lost.empty())
+            return;
+        Stage mended = stage_;
+        std::vector<std::string> replaced;
+        bool solutionsMissing = false;
+        for (const Task& task : manifest_.tasks)
+            for (const std::string& text : task.needs)
+                if (lost.contains(task.id)) {
+                    const Need need = parseNeed(text, manifest_);
+                    if (!fs::exists(root_ / "solutions" / need.assignment))
+                        solutionsMissing = true;
+                    else if (replace(mended, need))
+                        replaced.push_back(text);
+                }
+        if (!replaced.empty())
+            keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost, replaced);
+        if (solutionsMissing)
+            skipWhatRestsOnLostTasks(lost);
+    }
+
+private:
+    bool onlyInheritedFilesAreBroken() const {
+        bool any = false;
+        for (const Diagnostic& each : graded_.build.diagnostics) {
+            if (each.severity != "error")
+                continue;
+            const StagedFile* file = stage_.find(each.file);
+            if (!file || file->role != Role::inherited || file->origin != "submission")
+                return false;
+            any = true;
+        }
+        return any;
+    }
+
+    void replaceBrokenFiles() {
+        std::set<std::string> broken;
+        for (const Diagnostic& each : graded_.build.diagnostics)
+            if (each.severity == "error")
+                broken.insert(each.file);
+        for (const std::string& name : broken) {
+            const std::string from = manifest_.inherits.at(name);
+            StagedFile& file = *stage_.find(name);
+            file.origin = fs::exists(root_ / "solutions" / from / name) ? "solutions" : "starter";
+            const char* tree = file.origin == "solutions" ? "solutions" : "assignments";
+            file.content = readFile(root_ / tree / from / name);
+            notices_.push_back(fmt::format("{} of {} does not compile: the {} took its place", name,
+                                           from,
+                                           file.origin == "solutions" ? "solution's" : "starter's"));
+        }
+        graded_ = grader_.gradeStage(manifest_, stage_, seed_);
+    }
+
+    std::set<std::string> dependentTasksThatLost() const {
+        std::set<std::string> lost;
+        for (const CheckResult& check : graded_.checks)
+            if (!check.full() && !manifest_.task(check.task)->needs.empty() && !isBlank(check))
+                lost.insert(check.task);
+        return lost;
+    }
+
+    /// Its own region is unfilled: no prerequisite can change that.
+    static bool isBlank(const CheckResult& check) {
+        return check.status == Status::notImplemented &&
+               std::find(check.todos.begin(), check.todos.end(), check.task) != check.todos.end();
+    }
+
+    /// Puts the solution's version of a needed task into the stage. False when nothing changed.
+    bool replace(Stage& stage, const Need& need) const {
+        bool changed = false;
+        for (StagedFile& file : stage.files) {
+            const bool ofNeed = need.assignment == manifest_.id
+                                    ? file.role == Role::own
+                                    : file.role == Role::inherited &&
+                                          manifest_.inherits.at(file.name) == need.assignment;
+            const fs::path solved = root_ / "solutions" / need.assignment / file.name;
+            if (!ofNeed || !fs::exists(solved))
+                continue;
+            const std::string text = readFile(solved);
+            // With fences only the region is replaced; an inherited file is replaced as a whole.
+            const auto regions = regionsOf(text);
+            std::optional<std::string> better;
+            if (regions.contains(need.task))
+                better = withRegion(file.content, need.task, regions.at(need.task));
+            if (!better && need.assignment != manifest_.id)
+                better = text;
+            if (better && *better != file.content) {
+                file.content = *better;
+                changed = true;
+            }
+        }
+        return changed;
+    }
+
+    void keepTheBetter(Grader::StageResult again, const std::set<std::string>& lost,
+                       const std::vector<std::string>& replaced) {
+        std::set<std::string> gained;
+        for (CheckResult& check : graded_.checks)
+            for (CheckResult& other : again.checks)
+                if (lost.contains(check.task) && other.id == check.id &&
+                    other.points > check.points) {
+                    gained.insert(check.task);
+                    check = std::move(other);
+                    break;
+                }
+        if (!gained.empty())
+            notices_.push_back(fmt::format("{} rests on {}, which loses points of its own: graded "
+                                           "with the solution's, so that nothing is charged twice",
+                                           fmt::join(gained, ", "), fmt::join(replaced, ", ")));
+    }
+
+    void skipWhatRestsOnLostTasks(const std::set<std::string>& lost) {
+        for (const std::string& id : lost)
+            for (const std::string& text : manifest_.task(id)->needs) {
+                if (holds(parseNeed(text, manifest_)))
+                    continue;
+                for (CheckResult& check : graded_.checks)
+                    if (check.task == id && !check.full() && check.points == 0 &&
+                        check.status != Status::notImplemented) {
+                        check.status = Status::skipped;
+                        check.message =
+                            "rests on " + text + ", which loses points itself: mend that first";
+                    }
+            }
+    }
+
+    /// Whether a needed task earns all its points with the file that is in the stage.
+    bool holds(const Need& need) const {
+        std::vector<CheckResult> checks;
+        if (need.assignment == manifest_.id)
+            checks = graded_.checks;
+        else {
+            const Manifest other = loadAssignment(root_, need.assignment);
+            Stage stage = grader_.stageOf(other, "assignments");
+            for (StagedFile& file : stage.files)
+                if (const StagedFile* ours = stage_.find(file.name);
+                    ours && ours->role == Role::inherited)
+                    file.content = ours->content;
+            checks = grader_.gradeStage(other, stage, seed_).checks;
+        }
+        return std::all_of(checks.begin(), checks.end(), [&](const CheckResult& check) {
+            return check.task != need.task || check.full();
+        });
+    }
+
+    const Grader& grader_;
+    const fs::path& root_;
+    const Manifest& manifest_;
+    Stage& stage_;
+    std::uint64_t seed_;
+    Grader::StageResult& graded_;
+    std::vector<std::string>& notices_;
+};
+
+}  // namespace
+
+void mendPrerequisites(const Grader& grader, const Manifest& manifest, Stage& stage,
+                       std::uint64_t seed, Grader::StageResult& graded,
+                       std::vector<std::string>& notices) {
+    Mender(grader, manifest, stage, seed, graded, notices).run();
+}
+
+}  // namespace grader

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+struct ProcessResult {
+    int exitCode = -1;  ///< -1 when a signal ended it
+    int signal = 0;
+    bool timedOut = false;
+    std::string output;      ///< standard output and error together, cut at the limit
+    bool succeeded() const { return exitCode == 0 && !timedOut; }
+};
+
+/// Runs a command in a process group of its own and waits for it. After `timeoutSeconds`, or once
+/// it has written more than `outputLimit` bytes, the whole group is killed. Standard input is
+/// empty. A command that cannot be started ends with exit code 127 and says why in `output`.
+ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds,
+                  std::size_t outputLimit = 1 << 20);
+
+/// CPU seconds, user and system, of this process and of all children that have ended.
+double cpuSeconds();
+
+}  // namespace grader

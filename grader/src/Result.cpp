@@ -1,0 +1,166 @@
+#include "Result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "Fields.h"
+
+namespace grader {
+
+namespace {
+
+constexpr int kFormat = 1;
+
+/// Sums of thirds and sevenths would otherwise end in noise.
+double rounded(double points) { return std::round(points * 1e6) / 1e6; }
+
+Status statusOfTask(const std::vector<CheckResult>& checks) {
+    const auto all = [&](auto&& predicate) {
+        return std::all_of(checks.begin(), checks.end(), predicate);
+    };
+    if (all([](const CheckResult& each) { return each.full(); }))
+        return Status::pass;
+    if (all([](const CheckResult& each) { return each.status == Status::notImplemented; }))
+        return Status::notImplemented;
+    if (std::any_of(checks.begin(), checks.end(),
+                    [](const CheckResult& each) { return each.points > 0; }))
+        return Status::partial;
+    // Nothing earned: the first reason other than a missing implementation is the telling one.
+    for (const CheckResult& each : checks)
+        if (each.status != Status::notImplemented)
+            return each.status;
+    return Status::fail;
+}
+
+Json jsonOf(const Diagnostic& each) {
+    return {{"file", each.file},
+            {"line", each.line},
+            {"column", each.column},
+            {"severity", each.severity},
+            {"message", each.message}};
+}
+
+Json jsonOf(const CheckResult& check) {
+    Json json = {{"id", check.id},
+                 {"kind", check.kind},
+                 {"title", check.title},
+                 {"status", judge::toString(check.status)},
+                 {"points", rounded(check.points)},
+                 {"max_points", rounded(check.maxPoints)},
+                 {"message", check.message},
+                 {"hint", check.hint}};
+    if (!check.imagePaths.empty())
+        json["images"] = check.imagePaths;
+    return json;
+}
+
+Json jsonOf(const TaskResult& task) {
+    Json json = {{"id", task.id},
+                 {"title", task.title},
+                 {"points", rounded(task.points)},
+                 {"max_points", rounded(task.maxPoints)},
+                 {"status", judge::toString(task.status)},
+                 {"checks", Json::array()}};
+    for (const CheckResult& check : task.checks)
+        json["checks"].push_back(jsonOf(check));
+    return json;
+}
+
+Json jsonOf(const AssignmentResult& result) {
+    Json diagnostics = Json::array(), tasks = Json::array();
+    for (const Diagnostic& each : result.diagnostics)
+        diagnostics.push_back(jsonOf(each));
+    for (const TaskResult& task : result.tasks)
+        tasks.push_back(jsonOf(task));
+    const Environment& here = result.environment;
+    return {{"format", kFormat},
+            {"assignment", result.assignment},
+            {"title", result.title},
+            {"status", result.status},
+            {"points", rounded(result.points())},
+            {"max_points", rounded(result.maxPoints())},
+            {"seed", result.seed},
+            {"build", {{"ok", result.buildOk}, {"diagnostics", diagnostics}}},
+            {"tasks", tasks},
+            {"inherited", result.inherited},
+            {"ignored_files", result.ignoredFiles},
+            {"notices", result.notices},
+            {"environment",
+             {{"grader", here.grader},
+              {"compiler", here.compiler},
+              {"glm", here.glm},
+              {"gl_renderer", here.glRenderer},
+              {"gl_version", here.glVersion},
+              {"cpu", here.cpu},
+              {"sandbox", here.sandbox}}},
+            {"timing", result.timing}};
+}
+
+std::string dumped(const Json& json) {
+    // Text of a student's making may hold anything; what is not UTF-8 is replaced.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+double AssignmentResult::points() const {
+    double sum = 0;
+    for (const TaskResult& task : tasks)
+        sum += task.points;
+    return sum;
+}
+
+double AssignmentResult::maxPoints() const {
+    double sum = 0;
+    for (const TaskResult& task : tasks)
+        sum += task.maxPoints;
+    return sum;
+}
+
+bool AssignmentResult::full() const {
+    return status == "graded" && std::all_of(tasks.begin(), tasks.end(), [](const auto& task) {
+               return task.status == Status::pass;
+           });
+}
+
+bool AssignmentResult::notStarted() const {
+    return status == "graded" && std::all_of(tasks.begin(), tasks.end(), [](const auto& task) {
+               return task.status == Status::notImplemented;
+           });
+}
+
+bool AssignmentResult::graderFailed() const {
+    for (const TaskResult& task : tasks)
+        for (const CheckResult& check : task.checks)
+            if (check.status == Status::graderError)
+                return true;
+    return status == "grader_error";
+}
+
+std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks) {
+    std::vector<TaskResult> tasks;
+    for (const Task& task : manifest.tasks) {
+        TaskResult result{task.id, task.title, 0, task.points, Status::graderError, {}};
+        for (CheckResult& check : checks)
+            if (check.task == task.id)
+                result.checks.push_back(std::move(check));
+        for (const CheckResult& check : result.checks)
+            result.points += check.points;
+        result.status = statusOfTask(result.checks);
+        tasks.push_back(std::move(result));
+    }
+    return tasks;
+}
+
+std::string toJson(const AssignmentResult& result) { return dumped(jsonOf(result)); }
+
+std::string toJson(const std::vector<AssignmentResult>& results) {
+    if (results.size() == 1)
+        return toJson(results.front());
+    Json array = Json::array();
+    for (const AssignmentResult& each : results)
+        array.push_back(jsonOf(each));
+    return dumped(array);
+}
+
+}  // namespace grader

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Diagnostics.h"
+#include "Manifest.h"
+#include "compare/FrameScore.h"
+#include "compare/Picture.h"
+#include "subject/Status.h"
+
+namespace grader {
+
+using judge::Status;
+
+/// The pictures of a frame and the numbers behind its score.
+struct FramePictures {
+    Picture submission, reference, difference;
+    FrameScore score;
+};
+
+struct CheckResult {
+    std::string id;  ///< "RotateUp.KeepsTheTarget", or the frame's id
+    std::string kind;  ///< "test" or "frame"
+    std::string task;
+    std::string title;
+    Status status = Status::graderError;
+    double points = 0, maxPoints = 0;
+    std::string message;  ///< one sentence on what was lost; empty for a full check
+    std::string hint;
+    std::vector<std::string> todos;  ///< unfilled regions that were reached
+    std::optional<FramePictures> pictures;
+    std::map<std::string, std::string> imagePaths;  ///< set once the pictures are written
+
+    bool full() const { return status == Status::pass; }
+};
+
+struct TaskResult {
+    std::string id, title;
+    double points = 0, maxPoints = 0;
+    Status status = Status::graderError;
+    std::vector<CheckResult> checks;
+};
+
+struct Environment {
+    std::string grader, compiler, glm, glRenderer, glVersion, cpu, sandbox;
+};
+
+struct AssignmentResult {
+    std::string assignment, title;
+    std::string status = "graded";  ///< "graded", "build_error", "grader_error"
+    std::uint64_t seed = 1;
+    bool buildOk = false;
+    std::vector<Diagnostic> diagnostics;
+    std::vector<TaskResult> tasks;
+    std::map<std::string, std::string> inherited;  ///< file → where it was taken from
+    std::vector<std::string> ignoredFiles;
+    std::vector<std::string> notices;
+    Environment environment;
+    std::map<std::string, double> timing;  ///< seconds
+
+    double points() const;
+    double maxPoints() const;
+    bool full() const;
+    bool notStarted() const;  ///< every check is not implemented
+    bool graderFailed() const;
+};
+
+/// Sorts checks into the manifest's tasks and sums up.
+std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks);
+
+/// The result document of one assignment, as grader/RESULT.md describes it.
+std::string toJson(const AssignmentResult& result);
+
+/// One document, or an array of several.
+std::string toJson(const std::vector<AssignmentResult>& results);
+
+}  // namespace grader

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace grader {
+
+/// `grader update-references [ASSIGNMENT…]`: draws reference_images/ from solutions and starters.
+void addUpdateReferencesCommand(CLI::App& app, int& exitCode);
+
+/// `grader check-course [ASSIGNMENT…]`: proves starters, solutions and mistakes consistent.
+void addCheckCourseCommand(CLI::App& app, int& exitCode);
+
+}  // namespace grader

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace grader {
+
+/// `grader window ASSIGNMENT`: builds the window of the student's own files and opens it.
+void addWindowCommand(CLI::App& app, int& exitCode);
+
+/// `grader debug ASSIGNMENT SUITE.TEST`: that test in one process, under gdb.
+void addDebugCommand(CLI::App& app, int& exitCode);
+
+}  // namespace grader

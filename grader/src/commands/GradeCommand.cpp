@@ -1,0 +1,151 @@
+#include "commands/GradeCommand.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "Error.h"
+#include "Grade.h"
+#include "HtmlReport.h"
+#include "Process.h"
+#include "TerminalReport.h"
+
+namespace grader {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> assignments;
+    std::string submission, json, report;
+    std::uint64_t seed = 1;
+    bool open = false, noSandbox = false;
+};
+
+/// Which assignments of which folder are graded.
+struct Selection {
+    Submission submission;
+    std::vector<std::string> assignments;
+};
+
+Selection select(const Toolchain& tools, const Options& options) {
+    const auto known = knownAssignments(tools.root);
+    Selection selection;
+    selection.assignments = options.assignments;
+    for (const std::string& id : options.assignments)
+        loadAssignment(tools.root, id);  // refuses unknown ones before anything is done
+    if (options.submission.empty()) {
+        selection.submission = {tools.root / "assignments", true};
+        if (selection.assignments.empty())
+            selection.assignments = known;
+        return selection;
+    }
+    const fs::path folder = options.submission;
+    if (!fs::is_directory(folder))
+        throw Error("--submission {}: there is no such folder", folder.string());
+    std::vector<std::string> present;
+    for (const std::string& id : known)
+        if (fs::is_directory(folder / id))
+            present.push_back(id);
+    selection.submission = {fs::absolute(folder), !present.empty()};
+    if (selection.assignments.empty())
+        selection.assignments = present;
+    if (present.empty() && options.assignments.size() != 1)
+        throw Error("--submission {}: no folder in it is named like an assignment, so it must hold "
+                    "the files of one: name that assignment, for instance ./grade {} --submission "
+                    "{}",
+                    folder.string(), known.front(), folder.string());
+    return selection;
+}
+
+bool worthPainting() { return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR"); }
+
+void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
+    writeReportPictures(results, folder);
+    writeFile(folder / "index.html", htmlReport(results, folder));
+}
+
+void openInBrowser(const fs::path& page) {
+    if (!run({"xdg-open", page.string()}, 10.0).succeeded())
+        std::cout << "No browser could be opened (xdg-open). Open this file yourself:\n  "
+                  << page.string() << "\n";
+}
+
+int exitCodeOf(const std::vector<AssignmentResult>& results) {
+    const auto any = [&](auto&& predicate) {
+        return std::any_of(results.begin(), results.end(), predicate);
+    };
+    if (any([](const AssignmentResult& each) { return each.graderFailed(); }))
+        return kGraderFailed;
+    return any([](const AssignmentResult& each) { return !each.full(); }) ? kSomethingLost
+                                                                          : kFullMarks;
+}
+
+int gradeAll(const Options& options) {
+    const Toolchain tools = Toolchain::load();
+    const Selection selection = select(tools, options);
+    const auto sandbox = options.noSandbox ? makePlainProcess() : chooseSandbox();
+    const Grader grader(tools, *sandbox);
+
+    const TerminalStyle style{worthPainting(), 80};
+    const bool quiet = options.json == "-";
+    std::vector<AssignmentResult> results;
+    for (const std::string& id : selection.assignments) {
+        const double cpu = cpuSeconds();
+        results.push_back(
+            grader.grade(loadAssignment(tools.root, id), selection.submission, options.seed));
+        results.back().timing["cpu_seconds"] = cpuSeconds() - cpu;
+        if (!quiet)
+            std::cout << terminalReport(results.back(), style) << "\n" << std::flush;
+    }
+    if (!quiet && results.size() > 1)
+        std::cout << terminalSummary(results, style);
+
+    // The verdict is on the screen; files and pictures follow.
+    const int exitCode = exitCodeOf(results);
+    fs::path report = options.report;
+    if (report.empty() && options.open)
+        report = tools.root / "report";
+    if (!report.empty()) {
+        writeReport(results, report);
+        if (!quiet)
+            std::cout << "Report: " << fs::absolute(report / "index.html").string() << "\n";
+    } else if (!quiet && exitCode != kFullMarks) {
+        std::cout << "Pictures: ./grade --open"
+                  << (options.assignments.size() == 1 ? " " + options.assignments.front() : "")
+                  << "\n";
+    }
+    if (options.json == "-")
+        std::cout << toJson(results);
+    else if (!options.json.empty())
+        writeFile(options.json, toJson(results));
+    if (options.open)
+        openInBrowser(fs::absolute(report / "index.html"));
+    return exitCode;
+}
+
+}  // namespace
+
+void addGradeCommand(CLI::App& app, int& exitCode) {
+    static Options options;
+    CLI::App* command = app.add_subcommand("grade", "grade assignments (the default command)");
+    command->add_option("assignments", options.assignments,
+                        "assignments to grade; default all, or all that the submission has");
+    command->add_option("--submission", options.submission,
+                        "folder with one folder per assignment, or with the files of the one "
+                        "assignment named; default assignments/");
+    command->add_option("--json", options.json, "write the result document to this file, - for "
+                                                "standard output (then nothing else is printed)");
+    command->add_option("--report", options.report, "write report and pictures to this folder");
+    command->add_option("--seed", options.seed, "seed of random inputs; other than 1 needs "
+                                                "solutions/")
+        ->capture_default_str();
+    command->add_flag("--open", options.open,
+                      "write the report (default folder: report/) and open it in the browser");
+    command->add_flag("--no-sandbox", options.noSandbox,
+                      "run the code as a plain process with limits");
+    command->callback([&exitCode] { exitCode = gradeAll(options); });
+}
+
+}  // namespace grader

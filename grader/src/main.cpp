@@ -1,0 +1,52 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+#include "Error.h"
+#include "commands/CourseCommands.h"
+#include "commands/DeveloperCommands.h"
+#include "commands/GradeCommand.h"
+
+namespace {
+
+bool isCommand(const CLI::App& app, const std::string& word) {
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    return std::any_of(commands.begin(), commands.end(),
+                       [&](const CLI::App* each) { return each->get_name() == word; });
+}
+
+/// Without a command, the grader grades: `./grade 07-camera` is `./grade grade 07-camera`.
+std::vector<std::string> withDefaultCommand(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const bool named = !arguments.empty() && (isCommand(app, arguments[0]) ||
+                                              arguments[0] == "--help" || arguments[0] == "-h");
+    if (!named)
+        arguments.insert(arguments.begin(), "grade");
+    std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 wants
+    return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Grades the assignments of this course.\n"
+                 "Exit codes: 0 full marks, 1 something lost, 2 the grader or its use was wrong.");
+    app.name("./grade");
+    app.require_subcommand(0, 1);
+    int exitCode = grader::kGraderFailed;
+    grader::addGradeCommand(app, exitCode);
+    grader::addWindowCommand(app, exitCode);
+    grader::addDebugCommand(app, exitCode);
+    grader::addUpdateReferencesCommand(app, exitCode);
+    grader::addCheckCourseCommand(app, exitCode);
+    try {
+        app.parse(withDefaultCommand(app, argc, argv));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : grader::kGraderFailed;
+    } catch (const std::exception& error) {
+        std::cerr << "grade: " << error.what() << "\n";
+        return grader::kGraderFailed;
+    }
+    return exitCode;
+}

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <runner/SeededValues.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "subject/Subject.h"
+
+/// What an assignment's tests are written with.
+///
+///     TEST(RotateUp, KeepsTheTarget) {
+///         check("rotateUp leaves the target where it is");
+///         const auto pose = subject().call<Pose>("turn", eye, target, up, steps);
+///         expectClose(say("target after rotateUp({})", 25.0f), pose.target, target);
+///     }
+///
+/// A test is a check of the task whose id is the suite's name (RotateUp: rotate-up). Its points
+/// are earned whole or not at all. Tests run in the judge; the student's code is elsewhere.
+namespace judge {
+
+/// One sentence that a student can read, said first in every test. The hint replaces the task's.
+void check(const std::string& title, const std::string& hint = "");
+
+Subject& subject();
+
+/// Values that depend on the seed of the run and the name of the test alone.
+class Random : public SeededValues {
+public:
+    using SeededValues::SeededValues;
+    float angle() { return uniform(20.0f, 160.0f); }  ///< degrees, away from 0 and 180
+};
+Random& random();
+
+/// A value as students write it: (1, 2, 3); matrices by rows, [1 0 0; 0 1 0; 0 0 1].
+std::string show(bool value);
+std::string show(int value);
+std::string show(float value);
+std::string show(const glm::vec2& value);
+std::string show(const glm::vec3& value);
+std::string show(const glm::vec4& value);
+std::string show(const glm::mat3& value);
+std::string show(const glm::mat4& value);
+inline std::string show(const char* value) { return value; }
+inline std::string show(const std::string& value) { return value; }
+
+/// fmt::format with the values shown as above.
+template <class... A>
+std::string say(const std::string& format, const A&... values) {
+    return fmt::format(fmt::runtime(format), show(values)...);
+}
+
+/// Adds a sentence to the current check's failure.
+void fail(const std::string& sentence);
+
+/// Numbers agree when the largest difference is at most tolerance * max(1, |expected|); a number
+/// that is not finite never agrees. Failing says "what: expected …, got …". Returns success.
+template <class T>
+bool expectClose(const std::string& what, const T& got, const T& expected,
+                 float tolerance = 1e-4f);
+
+/// `found` says what was seen when the condition does not hold. Returns the condition.
+bool expectThat(const std::string& what, bool condition, const std::string& found);
+
+// ---------------------------------------------------------------------------------------------
+
+namespace detail {
+template <class T>
+float largest(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+        return std::abs(static_cast<float>(value));
+    } else {
+        float most = 0.0f;
+        for (glm::length_t i = 0; i < value.length(); ++i) {
+            const float each = largest(value[i]);
+            most = std::isnan(each) ? each : std::max(most, each);
+            if (std::isnan(most))
+                break;
+        }
+        return most;
+    }
+}
+}  // namespace detail
+
+template <class T>
+bool expectClose(const std::string& what, const T& got, const T& expected, float tolerance) {
+    const float difference = detail::largest(T(got - expected));
+    const float allowed = tolerance * std::max(1.0f, detail::largest(expected));
+    if (difference <= allowed)  // false for NaN
+        return true;
+    fail(what + ": expected " + show(expected) + ", got " + show(got));
+    return false;
+}
+
+}  // namespace judge

@@ -1,0 +1,137 @@
+#include "subject/JudgeMain.h"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "subject/Judge.h"
+
+/// A test program's main: runs the checks and writes what became of each, as
+/// {"checks": [{"suite", "name", "title", "hint", "todos", "status", "message"}]}.
+
+namespace judge {
+
+namespace {
+
+struct CurrentCheck {
+    std::string title, hint;
+    std::vector<std::string> sentences;  ///< of failed expectations
+    std::optional<Verdict> verdict;      ///< set when the subject gave no value
+    std::vector<std::string> todos;
+    std::optional<Random> random;
+};
+
+CurrentCheck current;
+std::unique_ptr<Subject> theSubject;
+std::uint64_t seed = 1;
+
+/// FNV-1a: the same on every machine, unlike std::hash.
+std::uint64_t hashOf(const std::string& text) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const unsigned char each : text)
+        hash = (hash ^ each) * 0x100000001b3u;
+    return hash;
+}
+
+Verdict verdictOf(const testing::TestResult& result) {
+    if (result.Skipped())
+        return {Status::skipped, ""};
+    if (result.Passed())
+        return {Status::pass, ""};
+    const bool blank = !current.todos.empty();
+    const bool studentFault = current.verdict && current.verdict->status != Status::graderError;
+    if (blank && !studentFault)
+        return {Status::notImplemented, "`" + current.todos.front() + "` is not implemented yet"};
+    if (current.verdict)
+        return *current.verdict;
+    if (!current.sentences.empty())
+        return {Status::fail, current.sentences.front()};
+    // An exception or a plain GoogleTest assertion of the test itself.
+    return {Status::graderError, result.GetTestPartResult(0).summary()};
+}
+
+class CheckListener : public testing::EmptyTestEventListener {
+public:
+    void OnTestStart(const testing::TestInfo& info) override {
+        current = {};
+        current.title = info.name();
+        current.random.emplace(seed ^ hashOf(std::string(info.test_suite_name()) + info.name()));
+    }
+    void OnTestEnd(const testing::TestInfo& info) override {
+        const Verdict verdict = verdictOf(*info.result());
+        checks.push_back({{"suite", info.test_suite_name()},
+                          {"name", info.name()},
+                          {"title", current.title},
+                          {"hint", current.hint},
+                          {"todos", current.todos},
+                          {"status", toString(verdict.status)},
+                          {"message", verdict.message}});
+    }
+    nlohmann::json checks = nlohmann::json::array();
+};
+
+}  // namespace
+
+void check(const std::string& title, const std::string& hint) {
+    current.title = title;
+    current.hint = hint;
+}
+
+Subject& subject() { return *theSubject; }
+Random& random() { return *current.random; }
+
+void fail(const std::string& sentence) {
+    current.sentences.push_back(sentence);
+    ADD_FAILURE() << sentence;
+}
+
+/// Lets the current check know what its requests ran into.
+void observe(Subject& each) {
+    each.onTodos = [](const std::vector<std::string>& ids) {
+        current.todos.insert(current.todos.end(), ids.begin(), ids.end());
+    };
+    each.onFailure = [](const Verdict& verdict) { current.verdict = verdict; };
+}
+
+}  // namespace judge
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    CLI::App app("Runs the checks of one assignment in the judge. Started by the grader.");
+    std::string resultPath;
+    std::uint32_t callMs = 2000, outputKib = 64;
+    std::vector<std::string> runnerCommand;
+    app.add_option("--result", resultPath, "write the outcome of each check to this file");
+    app.add_option("--seed", judge::seed, "seed of random inputs");
+    app.add_option("--call-ms", callMs, "time limit of one call, milliseconds");
+    app.add_option("--output-kib", outputKib, "what one call may print, KiB");
+    app.add_option("command", runnerCommand, "after --: the command that starts the runner");
+    CLI11_PARSE(app, argc, argv);
+
+    judge::theSubject = judge::makeSubject(runnerCommand);
+    judge::observe(judge::subject());
+    judge::subject().callTimeoutMs = callMs;
+    judge::subject().outputBytes = outputKib * 1024;
+
+    auto& listeners = testing::UnitTest::GetInstance()->listeners();
+    auto* listener = new judge::CheckListener;  // owned by GoogleTest
+    listeners.Append(listener);
+    if (!resultPath.empty())
+        delete listeners.Release(listeners.default_result_printer());
+    const int failed = RUN_ALL_TESTS();
+    if (testing::UnitTest::GetInstance()->test_to_run_count() == 0) {
+        std::cerr << "no test matches the filter\n";
+        return 2;
+    }
+    if (!resultPath.empty()) {
+        std::ofstream file(resultPath);
+        file << nlohmann::json{{"checks", listener->checks}};
+        if (!file.flush()) {
+            std::cerr << "cannot write " << resultPath << "\n";
+            return 2;
+        }
+    }
+    return failed;
+}

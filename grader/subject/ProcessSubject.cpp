@@ -1,0 +1,161 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/random.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "subject/Subject.h"
+
+namespace judge {
+
+namespace {
+
+using protocol::Answer;
+using protocol::Outcome;
+using protocol::Request;
+
+/// The runner keeps the time of a request itself; this much later the judge gives up on it.
+constexpr int kGraceMs = 3000;
+constexpr std::size_t kKeptErrors = 2000;
+constexpr int kRunnerDescriptor = 3;
+
+class ProcessSubject : public Subject {
+public:
+    explicit ProcessSubject(std::vector<std::string> command) : command_(std::move(command)) {
+        command_.push_back(std::to_string(kRunnerDescriptor));
+    }
+    ~ProcessSubject() override { stop(); }
+
+    Answer ask(Request request) override {
+        if (pid_ < 0)
+            start();
+        if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)
+            return fault("no random numbers to be had");
+        protocol::writeAll(channel_, protocol::framed(protocol::kRequestMagic,
+                                                      protocol::encodeRequest(request)));
+        protocol::Bytes body;
+        const auto status = protocol::readMessage(
+            channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
+            static_cast<int>(request.timeoutMs) + kGraceMs, body);
+        return judged(request, status, body);
+    }
+
+private:
+    Answer judged(const Request& request, protocol::ReadStatus status,
+                  const protocol::Bytes& body) {
+        Answer answer;
+        switch (status) {
+            case protocol::ReadStatus::closed: {
+                const std::string said = stop();
+                return fault("the runner ended before it answered" +
+                             (said.empty() ? std::string() : ": " + said));
+            }
+            case protocol::ReadStatus::late:
+                stop();
+                answer.outcome = Outcome::timeout;
+                return answer;
+            case protocol::ReadStatus::malformed: return tampered();
+            case protocol::ReadStatus::ok: break;
+        }
+        try {
+            answer = protocol::decodeAnswer(body);
+        } catch (const protocol::ProtocolError&) {
+            return tampered();
+        }
+        if (answer.nonce != request.nonce)
+            return tampered();
+        return answer;
+    }
+
+    Answer tampered() {
+        stop();
+        Answer answer;
+        answer.outcome = Outcome::tampered;
+        answer.detail = "an answer that nobody asked for";
+        return answer;
+    }
+
+    static Answer fault(const std::string& why) {
+        Answer answer;
+        answer.outcome = Outcome::faulty;
+        answer.detail = why;
+        return answer;
+    }
+
+    void start() {
+        int channel[2], errors[2];
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0 ||
+            pipe2(errors, O_CLOEXEC) != 0)
+            throw std::runtime_error(std::string("cannot open a channel to the runner: ") +
+                                     std::strerror(errno));
+        std::vector<char*> arguments;
+        for (std::string& each : command_)
+            arguments.push_back(each.data());
+        arguments.push_back(nullptr);
+        const pid_t parent = getpid();
+        pid_ = fork();
+        if (pid_ == 0) {
+            setpgid(0, 0);
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            if (getppid() != parent)
+                _exit(1);
+            const int inherited = fcntl(channel[1], F_DUPFD, 10);
+            const int nothing = open("/dev/null", O_RDWR);
+            dup2(nothing, 0);
+            dup2(nothing, 1);
+            dup2(errors[1], 2);
+            dup2(inherited, kRunnerDescriptor);
+            close_range(kRunnerDescriptor + 1, ~0U, 0);
+            execvp(arguments[0], arguments.data());
+            const std::string message = std::string("cannot start ") + arguments[0] + ": " +
+                                        std::strerror(errno) + "\n";
+            [[maybe_unused]] const auto written = write(2, message.data(), message.size());
+            _exit(127);
+        }
+        close(channel[1]);
+        close(errors[1]);
+        channel_ = channel[0];
+        errors_ = errors[0];
+        fcntl(errors_, F_SETFL, O_NONBLOCK);
+        if (pid_ < 0)
+            throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
+    }
+
+    /// Ends the runner; returns what it wrote to its standard error.
+    std::string stop() {
+        if (pid_ < 0)
+            return {};
+        close(channel_);  // a healthy runner ends by itself
+        int status = 0;
+        for (int waited = 0; waited < 50 && waitpid(pid_, &status, WNOHANG) == 0; ++waited)
+            usleep(1000);
+        kill(-pid_, SIGKILL);
+        waitpid(pid_, &status, 0);
+        std::string said(kKeptErrors, '\0');
+        const ssize_t got = read(errors_, said.data(), said.size());
+        said.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+        close(errors_);
+        pid_ = -1;
+        return said.substr(0, said.find_last_not_of('\n') + 1);
+    }
+
+    std::vector<std::string> command_;
+    pid_t pid_ = -1;
+    int channel_ = -1;
+    int errors_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> startSubject(std::vector<std::string> command) {
+    return std::make_unique<ProcessSubject>(std::move(command));
+}
+
+}  // namespace judge

@@ -1,0 +1,90 @@
+#include "subject/Status.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <utility>
+
+namespace judge {
+
+namespace {
+
+constexpr std::pair<Status, const char*> kWords[] = {
+    {Status::pass, "pass"},
+    {Status::partial, "partial"},
+    {Status::fail, "fail"},
+    {Status::notImplemented, "not_implemented"},
+    {Status::skipped, "skipped"},
+    {Status::buildError, "build_error"},
+    {Status::crash, "crash"},
+    {Status::timeout, "timeout"},
+    {Status::memory, "memory"},
+    {Status::output, "output"},
+    {Status::tampered, "tampered"},
+    {Status::graderError, "grader_error"},
+};
+
+std::string signalName(int signal) {
+    switch (signal) {
+        case SIGSEGV: return "SIGSEGV (memory that is not yours, or endless recursion)";
+        case SIGBUS: return "SIGBUS (memory that is not there)";
+        case SIGFPE: return "SIGFPE (division of an integer by zero)";
+        case SIGILL: return "SIGILL (a function that returns a value must not end without one)";
+        case SIGABRT: return "SIGABRT (abort or a failed assert)";
+        case SIGKILL: return "SIGKILL (stopped from outside, most likely for its memory)";
+        default: return fmt::format("signal {}", signal);
+    }
+}
+
+}  // namespace
+
+const char* toString(Status status) {
+    for (const auto& [each, word] : kWords)
+        if (each == status)
+            return word;
+    return "grader_error";
+}
+
+Status statusFromString(const std::string& word) {
+    for (const auto& [status, each] : kWords)
+        if (word == each)
+            return status;
+    throw std::invalid_argument("no status is called " + word);
+}
+
+Verdict explain(const std::string& what, const protocol::Request& request,
+                const protocol::Answer& answer) {
+    using protocol::Outcome;
+    const std::string place = answer.detail.empty() ? "" : " in " + answer.detail;
+    switch (answer.outcome) {
+        case Outcome::ok: break;
+        case Outcome::missing: return {Status::notImplemented, answer.detail};
+        case Outcome::exception:
+            return {Status::crash, fmt::format("{} threw an exception: {}", what, answer.detail)};
+        case Outcome::crash:
+            return {Status::crash,
+                    fmt::format("{} crashed{} with {}", what, place, signalName(answer.code))};
+        case Outcome::exited:
+            if (answer.code == 0)
+                return {Status::tampered, what + " ended the whole program with exit status 0 "
+                                                 "instead of returning"};
+            return {Status::crash,
+                    fmt::format("{} ended the whole program with exit status {}", what, answer.code)};
+        case Outcome::timeout:
+            return {Status::timeout, fmt::format("{} did not finish within {:g} s: look for a loop "
+                                                 "that never ends",
+                                                 what, request.timeoutMs / 1000.0)};
+        case Outcome::memory:
+            return {Status::memory, what + " asked for more memory than it may have"};
+        case Outcome::output:
+            return {Status::output,
+                    fmt::format("{} printed more than {} KiB", what, request.outputBytes / 1024)};
+        case Outcome::tampered: return {Status::tampered, what + ": " + answer.detail};
+        case Outcome::unknown:
+        case Outcome::faulty: return {Status::graderError, answer.detail};
+    }
+    return {Status::graderError, what + ": an answer that is no failure was explained as one"};
+}
+
+}  // namespace judge

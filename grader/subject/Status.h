@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "protocol/Message.h"
+
+/// What became of a check, and how that is said.
+namespace judge {
+
+enum class Status {
+    pass,
+    partial,
+    fail,
+    notImplemented,
+    skipped,
+    buildError,
+    crash,
+    timeout,
+    memory,
+    output,
+    tampered,
+    graderError,  ///< the grader's own fault; never costs points silently
+};
+
+/// "pass", "not_implemented", …: the words of the result document.
+const char* toString(Status status);
+/// Throws std::invalid_argument for any other word.
+Status statusFromString(const std::string& word);
+
+struct Verdict {
+    Status status;
+    std::string message;  ///< one sentence for the student
+};
+
+/// What an answer other than `ok` means for the check that asked. `what` names the function or
+/// frame as the student knows it.
+Verdict explain(const std::string& what, const protocol::Request& request,
+                const protocol::Answer& answer);
+
+}  // namespace judge
