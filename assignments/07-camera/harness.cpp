@@ -1,0 +1,142 @@
+// What the grader may ask of a student's camera. A check of a turn never rests on the student's
+// view matrix, and a check of the view matrix never on a turn, so each mistake is charged once.
+#include <runner/Harness.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <tuple>
+#include <vector>
+
+#include "Camera.h"
+#include "scene.h"
+
+namespace {
+
+// The notes' Camera has no constructor: every member is set here.
+Camera cameraAt(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.up = up;
+    camera.fovy = 30.0f;
+    camera.aspect = 4.0f / 3.0f;
+    camera.near = 0.01f;
+    camera.far = 100.0f;
+    return camera;
+}
+
+// Each step is (0, degrees) for rotateRight or (1, degrees) for rotateUp.
+using Steps = std::vector<glm::vec2>;
+
+Camera turned(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up,
+              const Steps& steps) {
+    Camera camera = cameraAt(eye, target, up);
+    for (const glm::vec2& step : steps) {
+        if (step.x == 0.0f) {
+            camera.rotateRight(step.y);
+        } else {
+            camera.rotateUp(step.y);
+        }
+    }
+    return camera;
+}
+
+void draw(const FrameRequest& request, const glm::mat4& view) {
+    course::Scene scene;
+    scene.init();
+    scene.draw(view, course::projDefault(float(request.width) / float(request.height)));
+}
+
+// The picture from where the student's turns led, with the right view matrix.
+void drawTurned(const FrameRequest& request, const Camera& camera) {
+    draw(request, glm::lookAt(camera.eye, camera.target, camera.up));
+}
+
+// The picture with the student's view matrix.
+void drawLookAt(const FrameRequest& request, const glm::vec3& eye, const glm::vec3& target,
+                const glm::vec3& up) {
+    Camera camera = cameraAt(eye, target, up);
+    camera.computeMatrices();
+    draw(request, camera.view);
+}
+
+// A start in general position: the target off the origin in all three directions, the eye 4.5
+// units away from it, up slanted and orthogonal to eye - target, so that rotateRight has one
+// reading.
+const glm::vec3 offTarget(0.3f, -0.2f, 0.25f);
+const glm::vec3 offArm(2.5f, 1.5f, 3.4f);
+const glm::vec3 offEye = offTarget + offArm;
+const glm::vec3 yAxis(0.0f, 1.0f, 0.0f);
+const glm::vec3 offUp =
+    glm::normalize(yAxis - glm::dot(yAxis, offArm) / glm::dot(offArm, offArm) * offArm);
+
+// The window after left, left, down. The two turns to the right are done here, so that the
+// picture shows rotateUp alone.
+void drawArrowKeys(const FrameRequest& request) {
+    const glm::mat4 right = glm::rotate(glm::mat4(1.0f), glm::radians(20.0f), yAxis);
+    const glm::vec3 arm(right * glm::vec4(course::viewerEye - course::viewerTarget, 0.0f));
+    const glm::vec3 eye = course::viewerTarget + arm;
+    drawTurned(request, turned(eye, course::viewerTarget, course::viewerUp, {{1, 10.0f}}));
+}
+
+void drawSeededTurn(const FrameRequest& request) {
+    SeededValues values(request.seed);
+    const float first = values.uniform(20.0f, 60.0f), second = values.uniform(50.0f, 110.0f);
+    drawTurned(request, turned(offEye, offTarget, offUp, {{0, first}, {0, second}}));
+}
+
+void drawSeededView(const FrameRequest& request) {
+    SeededValues values(request.seed);
+    const float azimuth = values.uniform(0.3f, 1.2f), height = values.uniform(1.2f, 2.5f);
+    const glm::vec3 eye(4.0f * std::sin(azimuth), height, 4.0f * std::cos(azimuth));
+    const float slantX = values.uniform(-0.6f, 0.6f), slantZ = values.uniform(-0.6f, 0.6f);
+    const glm::vec3 up(slantX, 2.0f, slantZ);
+    drawLookAt(request, eye, offTarget, up);
+}
+
+}  // namespace
+
+CG_HARNESS(harness) {
+    harness.function("turn", [](glm::vec3 eye, glm::vec3 target, glm::vec3 up, Steps steps) {
+        const Camera camera = turned(eye, target, up, steps);
+        return std::make_tuple(camera.eye, camera.target, camera.up);
+    });
+    harness.function("view", [](glm::vec3 eye, glm::vec3 target, glm::vec3 up) {
+        Camera camera = cameraAt(eye, target, up);
+        camera.computeMatrices();
+        return camera.view;
+    });
+    harness.function("viewTwice", [](glm::vec3 eye, glm::vec3 target, glm::vec3 up) {
+        Camera camera = cameraAt(eye, target, up);
+        camera.computeMatrices();
+        const glm::mat4 first = camera.view;
+        camera.computeMatrices();
+        return std::make_tuple(first, camera.view);
+    });
+    // One camera at three places, one after the other: poses holds eye, target, up of each.
+    harness.function("viewsOnTheWay", [](std::vector<glm::vec3> poses) {
+        Camera camera = cameraAt(poses.at(0), poses.at(1), poses.at(2));
+        std::vector<glm::mat4> views;
+        for (std::size_t i = 0; i + 2 < poses.size(); i += 3) {
+            camera.eye = poses[i];
+            camera.target = poses[i + 1];
+            camera.up = poses[i + 2];
+            camera.computeMatrices();
+            views.push_back(camera.view);
+        }
+        return views;
+    });
+
+    harness.frame("from-the-right", [](const FrameRequest& request) {
+        drawTurned(request, turned(offEye, offTarget, offUp, {{0, 50.0f}}));
+    });
+    harness.frame("seeded-turn", [](const FrameRequest& request) { drawSeededTurn(request); });
+    harness.frame("arrow-keys", [](const FrameRequest& request) { drawArrowKeys(request); });
+    harness.frame("over-the-pole", [](const FrameRequest& request) {
+        drawTurned(request, turned(offEye, offTarget, offUp, {{1, 40.0f}, {1, 40.0f}, {1, 40.0f}}));
+    });
+    harness.frame("slanted-up", [](const FrameRequest& request) {
+        drawLookAt(request, glm::vec3(2.0f, 1.5f, 4.0f), offTarget, glm::vec3(0.5f, 1.2f, 0.3f));
+    });
+    harness.frame("seeded-view", [](const FrameRequest& request) { drawSeededView(request); });
+}

@@ -1,0 +1,2 @@
+    (void)u;
+    return glm::mat3(0.0f);

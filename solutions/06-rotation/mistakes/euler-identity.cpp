@@ -1,0 +1,3 @@
+    (void)degrees;
+    (void)axis;
+    return glm::mat3(1.0f);

@@ -1,0 +1,4 @@
+    (void)degrees;
+    (void)axis;
+    glm::mat3 R(0.0f);
+    return R;

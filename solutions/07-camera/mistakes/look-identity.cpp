@@ -1,0 +1,1 @@
+    view = glm::mat4(1.0f);

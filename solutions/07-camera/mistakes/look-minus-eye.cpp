@@ -1,0 +1,6 @@
+    const glm::vec3 z = glm::normalize(eye - target);
+    const glm::vec3 y = glm::normalize(up - glm::dot(z, up) * z);
+    const glm::vec3 x = glm::cross(y, z);
+    const glm::mat3 inverse = glm::transpose(glm::mat3(x, y, z));
+    view = glm::mat4(inverse);
+    view[3] = glm::vec4(-eye, 1.0f);

@@ -1,0 +1,1 @@
+    view = glm::mat4(0.0f);

@@ -1,0 +1,2 @@
+    (void)degrees;
+    eye = eye_default;

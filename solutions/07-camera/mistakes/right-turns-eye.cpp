@@ -1,0 +1,1 @@
+    eye = rotation(degrees, up) * eye;

@@ -1,0 +1,3 @@
+    const glm::mat3 R = rotation(degrees, up);
+    eye = R * eye;
+    target = R * target;

@@ -1,0 +1,3 @@
+    (void)degrees;
+    eye = eye_default;
+    up = up_default;

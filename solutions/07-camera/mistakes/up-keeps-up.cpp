@@ -1,0 +1,3 @@
+    const glm::vec3 right = glm::normalize(glm::cross(up, eye - target));
+    const glm::mat3 R = rotation(-degrees, right);
+    eye = target + R * (eye - target);

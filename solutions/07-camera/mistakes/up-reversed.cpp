@@ -1,0 +1,4 @@
+    const glm::vec3 right = glm::normalize(glm::cross(up, eye - target));
+    const glm::mat3 R = rotation(degrees, right);
+    eye = target + R * (eye - target);
+    up = R * up;

@@ -1,0 +1,7 @@
+    const float t = std::tan(0.5f * glm::radians(fovy));
+    proj = glm::mat4(0.0f);
+    proj[0][0] = 1.0f / (aspect * t);
+    proj[1][1] = 1.0f / t;
+    proj[2][2] = -(far + near) / (far - near);
+    proj[3][2] = -1.0f;
+    proj[2][3] = -2.0f * far * near / (far - near);

@@ -1,0 +1,1 @@
+    proj = glm::mat4(0.0f);
