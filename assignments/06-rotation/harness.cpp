@@ -6,20 +6,24 @@
 
 namespace {
 
+// One scene for all frames: compiling its shader takes longer than drawing it.
+course::Scene& scene() {
+    static course::Scene instance;
+    static const bool ready = (instance.init(), true);
+    (void)ready;
+    return instance;
+}
+
 float aspect(const FrameRequest& request) {
     return float(request.width) / float(request.height);
 }
 
 void drawBody(const FrameRequest& request, const glm::mat3& pose) {
-    course::Scene scene;
-    scene.init();
-    scene.drawBody(pose, aspect(request));
+    scene().drawBody(pose, aspect(request));
 }
 
 void drawWhirl(const FrameRequest& request) {
-    course::Scene scene;
-    scene.init();
-    scene.drawWhirl(crossMatrix(glm::vec3(0.3f, 1.1f, -0.5f)), aspect(request));
+    scene().drawWhirl(crossMatrix(glm::vec3(0.3f, 1.1f, -0.5f)), aspect(request));
 }
 
 // What the window shows after the keys left, left, down: each key turns what the last one left.
@@ -44,9 +48,7 @@ void drawThreeBodies(const FrameRequest& request) {
         eulerRodrigues(-110.0f, glm::vec3(-2.0f, 1.0f, 0.5f)),
         eulerRodrigues(degrees, axis),
     };
-    course::Scene scene;
-    scene.init();
-    scene.drawThreeBodies(poses, aspect(request));
+    scene().drawThreeBodies(poses, aspect(request));
 }
 
 }  // namespace

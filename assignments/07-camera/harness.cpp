@@ -12,6 +12,14 @@
 
 namespace {
 
+// One scene for all frames: compiling its shader takes longer than drawing it.
+course::Scene& scene() {
+    static course::Scene instance;
+    static const bool ready = (instance.init(), true);
+    (void)ready;
+    return instance;
+}
+
 // The notes' Camera has no constructor: every member is set here.
 Camera cameraAt(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
     Camera camera;
@@ -42,9 +50,7 @@ Camera turned(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up
 }
 
 void draw(const FrameRequest& request, const glm::mat4& view) {
-    course::Scene scene;
-    scene.init();
-    scene.draw(view, course::projDefault(float(request.width) / float(request.height)));
+    scene().draw(view, course::projDefault(float(request.width) / float(request.height)));
 }
 
 // The picture from where the student's turns led, with the right view matrix.

@@ -12,6 +12,14 @@
 
 namespace {
 
+// One scene for all frames: compiling its shader takes longer than drawing it.
+course::Scene& scene() {
+    static course::Scene instance;
+    static const bool ready = (instance.init(), true);
+    (void)ready;
+    return instance;
+}
+
 struct Lens {
     float fovyDegrees, aspect, near, far;
 };
@@ -35,9 +43,7 @@ float aspect(const FrameRequest& request) {
 }
 
 void draw(const glm::mat4& view, const glm::mat4& projection) {
-    course::Scene scene;
-    scene.init();
-    scene.draw(view, projection);
+    scene().draw(view, projection);
 }
 
 glm::mat4 viewFrom(const glm::vec3& eye) {
@@ -79,9 +85,7 @@ void drawVanishingPoint(const FrameRequest& request) {
     const glm::vec4 before(inPicture.x * depth / P[0][0], inPicture.y * depth / P[1][1], -depth,
                            1.0f);
     points.push_back(glm::vec3(glm::inverse(view) * before));
-    course::Scene scene;
-    scene.init();
-    scene.drawPoints(points, view, P);
+    scene().drawPoints(points, view, P);
 }
 
 void drawViewer(const glm::mat4& projection) {

@@ -82,6 +82,10 @@ bool Context::isCurrent() const {
     return currentId == id_;
 }
 
+void Context::resizeFramebuffer(int, int) {
+    throw Error(std::string("a framebuffer of ") + provider() + " cannot be resized by the program");
+}
+
 void Context::resize(int width, int height) {
     width_ = width;
     height_ = height;

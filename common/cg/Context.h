@@ -27,6 +27,11 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
+    /// Gives a context in memory a framebuffer of another size, its content undefined; shaders and
+    /// buffers stay. The context is current afterwards. Throws cg::Error for a window, which only
+    /// its user resizes.
+    virtual void resizeFramebuffer(int width, int height);
+
     /// GL_VERSION and GL_RENDERER. The context must be current; so it is for all below.
     std::string version() const;
     std::string renderer() const;

@@ -30,6 +30,21 @@ TEST_F(ContextTest, IsACoreContextOnTheCpu) {
     EXPECT_EQ(depthBits, 24);
 }
 
+TEST_F(ContextTest, AResizedFramebufferKeepsGlObjects) {
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    context->resizeFramebuffer(30, 20);
+    EXPECT_TRUE(glIsBuffer(buffer));
+    glViewport(0, 0, 30, 20);
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Pixels pixels = context->readPixels();
+    ASSERT_EQ(pixels.rgba.size(), 30u * 20u * 4u);
+    EXPECT_EQ(pixels.rgba[pixels.rgba.size() - 3], 255);
+    glDeleteBuffers(1, &buffer);
+}
+
 TEST_F(ContextTest, RowZeroOfAPictureIsTheTop) {
     fill(0, 0, 64, 48, 1, 0);
     fill(0, 47, 1, 1, 0, 1);  // GL counts rows from the bottom

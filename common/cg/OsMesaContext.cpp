@@ -73,7 +73,7 @@ public:
         if (handle_ == nullptr) {
             throw Error("OSMesa could not make an OpenGL 3.3 core context");
         }
-        buffer_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+        fitBuffer();
     }
 
     ~OsMesaContext() override {
@@ -93,9 +93,19 @@ public:
         becomeCurrent();
     }
 
+    void resizeFramebuffer(int newWidth, int newHeight) override {
+        resize(newWidth, newHeight);
+        fitBuffer();
+        makeCurrent();
+    }
+
     void* function(const char* name) const override { return osMesa().function(name); }
 
 private:
+    void fitBuffer() {
+        buffer_.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * 4);
+    }
+
     OsMesaHandle* handle_;
     std::vector<std::uint8_t> buffer_;
 };

@@ -120,7 +120,6 @@ Bytes Host::drawFrame(const Request& request) {
     const auto found = harness_.frames.find(request.name);
     if (found == harness_.frames.end())
         throw Refusal{Outcome::unknown, "the harness has no frame " + request.name};
-    context_->makeCurrent();
     found->second({request.width, request.height, request.seed});
     return context_->readPixels().rgba;
 }
@@ -149,12 +148,11 @@ void Host::load() {
 }
 
 void Host::needContext(int width, int height) {
-    if (context_ && context_->width() == width && context_->height() == height)
-        return;
     try {
-        context_.reset();
-        context_ = cg::createOsMesaContext(width, height);
-        context_->makeCurrent();
+        if (!context_)
+            context_ = cg::createOsMesaContext(width, height);
+        else
+            context_->resizeFramebuffer(width, height);
         using Viewport = void (*)(int, int, int, int);
         reinterpret_cast<Viewport>(context_->function("glViewport"))(0, 0, width, height);
     } catch (const std::exception& error) {
