@@ -104,11 +104,12 @@ std::string locateCrash(const std::string& objectPath, const std::vector<std::ui
     std::string function, place;
     while (std::getline(lines, function) && std::getline(lines, place)) {
         // Files of the stage were compiled by their bare names: "./Camera.cpp:17".
-        if (!place.starts_with("./") || place.find("harness.cpp") != std::string::npos ||
-            place.find("cg_") != std::string::npos)
+        if (!place.starts_with("./") || place.find("harness.cpp") != std::string::npos)
             continue;
-        place = place.substr(2, place.find(" (discriminator") - 2);
-        return prettyName(function) + ", " + place;
+        while (place.starts_with("./"))
+            place.erase(0, 2);
+        return function.substr(0, function.find('(')) + ", " +
+               place.substr(0, place.find(" (discriminator"));
     }
     return {};
 }

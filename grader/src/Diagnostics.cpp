@@ -7,8 +7,11 @@ namespace grader {
 
 namespace {
 
-/// GLM's full template names are no help to a reader.
-std::string shortTypes(std::string message) {
+/// Plain quotes, and without GLM's full template names, which are no help to a reader.
+std::string simplified(std::string message) {
+    for (const char* quote : {"\u2018", "\u2019"})
+        for (auto at = message.find(quote); at != std::string::npos; at = message.find(quote))
+            message.replace(at, 3, "'");
     static const std::regex aka(R"( \{aka '[^']*'\})");
     static const std::regex vectorType(
         R"(glm::(vec|mat)<([234])(?:, ([234]))?, float(?:, glm::packed_highp)?>)");
@@ -59,10 +62,10 @@ std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput) {
         if (std::regex_match(line, match, located))
             all.push_back({withoutDot(match[1]), std::stoi(match[2]),
                            match[3].matched ? std::stoi(match[3]) : 0, match[4],
-                           shortTypes(match[5])});
+                           simplified(match[5])});
         else if (std::regex_match(line, match, linker))
             all.push_back({"", 0, 0, "error",
-                           std::regex_replace(shortTypes(match[1]),
+                           std::regex_replace(simplified(match[1]),
                                               std::regex("duplicate symbol:?"),
                                               "multiple definition of")});
     }

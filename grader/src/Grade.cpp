@@ -27,6 +27,25 @@ std::string cpuModel() {
     return "unknown";
 }
 
+/// Wrong, and it came through an unfilled region of the check's own task or one that it needs: not
+/// wrong, but not implemented. A region of another task is no excuse.
+void markUnimplemented(const Manifest& manifest, CheckResult& check) {
+    if (check.status != Status::fail)
+        return;
+    const Task& task = *manifest.task(check.task);
+    for (const std::string& id : check.todos) {
+        const bool needed =
+            std::any_of(task.needs.begin(), task.needs.end(), [&](const std::string& need) {
+                return need.substr(need.find('/') + 1) == id;
+            });
+        if (id != task.id && !needed)
+            continue;
+        check.status = Status::notImplemented;
+        check.message = "`" + id + "` is not implemented yet";
+        return;
+    }
+}
+
 /// The task that a test belongs to, its share of the points, and what became of it.
 CheckResult checkOf(const Manifest& manifest, const TestOutcome& test,
                     const std::vector<TestOutcome>& all) {
@@ -45,6 +64,7 @@ CheckResult checkOf(const Manifest& manifest, const TestOutcome& test,
     check.points = check.full() ? check.maxPoints : 0;
     check.message = test.verdict.message;
     check.todos = test.todos;
+    markUnimplemented(manifest, check);
     check.hint = check.full() ? "" : (test.hint.empty() ? task->hint : test.hint);
     return check;
 }
@@ -60,7 +80,7 @@ CheckResult checkOf(const Manifest& manifest, const Frame& frame) {
     return check;
 }
 
-void judgeFrame(const Frame& frame, FrameOutcome& outcome, const Picture& reference,
+void judgeFrame(const Manifest& manifest, const Frame& frame, FrameOutcome& outcome, const Picture& reference,
                 const Picture& starter, CheckResult& check) {
     check.status = outcome.verdict.status;
     check.message = outcome.verdict.message;
@@ -76,10 +96,7 @@ void judgeFrame(const Frame& frame, FrameOutcome& outcome, const Picture& refere
         check.status = pictures.score.score > 0 ? Status::partial : Status::fail;
         check.message = explainScore(pictures.score, outcome.picture, reference);
     }
-    if (check.status == Status::fail && !outcome.todos.empty()) {
-        check.status = Status::notImplemented;
-        check.message = "`" + outcome.todos.front() + "` is not implemented yet";
-    }
+    markUnimplemented(manifest, check);
     pictures.submission = std::move(outcome.picture);
     pictures.reference = reference;
     check.pictures = std::move(pictures);
@@ -167,7 +184,8 @@ void Grader::judgeFrames(const Manifest& manifest, Frames frames, std::uint64_t 
     for (const Frame& frame : manifest.frames) {
         CheckResult check = checkOf(manifest, frame);
         const Reference& reference = known.at(frame.id);
-        judgeFrame(frame, frames.byId[frame.id], reference.picture, reference.starter, check);
+        judgeFrame(manifest, frame, frames.byId[frame.id], reference.picture, reference.starter,
+                   check);
         checks.push_back(std::move(check));
     }
 }

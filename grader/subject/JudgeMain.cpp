@@ -40,10 +40,6 @@ Verdict verdictOf(const testing::TestResult& result) {
         return {Status::skipped, ""};
     if (result.Passed())
         return {Status::pass, ""};
-    const bool blank = !current.todos.empty();
-    const bool studentFault = current.verdict && current.verdict->status != Status::graderError;
-    if (blank && !studentFault)
-        return {Status::notImplemented, "`" + current.todos.front() + "` is not implemented yet"};
     if (current.verdict)
         return *current.verdict;
     if (!current.sentences.empty())

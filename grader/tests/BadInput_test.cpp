@@ -1,0 +1,231 @@
+// Input that is not as it should be: each case has a message that a first-year student can act on.
+
+#include "Lab.h"
+
+namespace {
+
+using lab::Graded;
+using lab::Json;
+using lab::Submission;
+
+const std::string kRotation = "06-rotation/rotation.cpp";
+
+testing::AssertionResult says(const Graded& graded, const std::string& part) {
+    if (graded.text.find(part) != std::string::npos)
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "expected \"" << part << "\" in:\n" << graded.text;
+}
+
+const Json& firstDiagnostic(const Graded& graded) {
+    return graded.document.at("build").at("diagnostics").at(0);
+}
+
+TEST(BadInput, AnUnknownAssignmentListsTheKnownOnes) {
+    const Graded graded = lab::runGrader({"07-kamera"});
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "07-kamera"));
+    EXPECT_TRUE(says(graded, "06-rotation, 07-camera, 08-perspective"));
+}
+
+TEST(BadInput, AMissingSubmissionFolderIsNamed) {
+    const Graded graded = lab::runGrader({"--submission", "/nonexistent/folder"});
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "/nonexistent/folder: there is no such folder"));
+}
+
+TEST(BadInput, AMissingFileIsNamedAndTheRestIsGraded) {
+    Submission submission;
+    lab::fs::remove(submission.file("08-perspective/projection.cpp"));
+    const Graded graded = submission.grade("08-perspective");
+    EXPECT_TRUE(graded.notes("projection.cpp is missing"));
+    EXPECT_EQ(graded.task("perspective").at("status"), "pass");
+    EXPECT_EQ(graded.task("orthographic").at("status"), "not_implemented");
+}
+
+TEST(BadInput, AFileThatIsNotUtf8IsNamedWithItsLine) {
+    Submission submission;
+    submission.write(kRotation, "// f\xfcr\n" + submission.read(kRotation));
+    const Graded graded = submission.grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 1);
+    EXPECT_EQ(graded.document.at("status"), "build_error");
+    EXPECT_EQ(firstDiagnostic(graded).at("file"), "rotation.cpp");
+    EXPECT_EQ(firstDiagnostic(graded).at("line"), 1);
+    EXPECT_TRUE(says(graded, "save it with the encoding UTF-8"));
+}
+
+TEST(BadInput, AFolderInPlaceOfAFileIsNamed) {
+    Submission submission;
+    lab::fs::remove(submission.file(kRotation));
+    lab::fs::create_directory(submission.file(kRotation));
+    const Graded graded = submission.grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 1);
+    EXPECT_TRUE(says(graded, "expected a file, found a folder"));
+}
+
+TEST(BadInput, CarriageReturnsAndAByteOrderMarkAreAccepted) {
+    Submission submission;
+    submission.replace(kRotation, "\n", "\r\n");
+    submission.write(kRotation, "\xEF\xBB\xBF" + submission.read(kRotation));
+    EXPECT_EQ(submission.grade("06-rotation").points(), 100.0);
+}
+
+TEST(BadInput, ASyntaxErrorHasTheStudentsOwnFileAndLine) {
+    Submission submission;
+    submission.write(kRotation, submission.read(kRotation) + "int five = 5\nint six = 6;\n");
+    const Graded graded = submission.grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 1);
+    EXPECT_EQ(graded.document.at("status"), "build_error");
+    EXPECT_EQ(graded.points(), 0.0);
+    EXPECT_EQ(firstDiagnostic(graded).at("file"), "rotation.cpp");
+    EXPECT_EQ(firstDiagnostic(graded).at("severity"), "error");
+    EXPECT_GT(firstDiagnostic(graded).at("line"), 0);
+    EXPECT_EQ(graded.status("turned"), "build_error");
+    EXPECT_FALSE(says(graded, "/tmp/"));
+}
+
+TEST(BadInput, ZNearForNearGetsAHint) {
+    for (const char* name : {"zNear", "nearDist"}) {
+        Submission submission;
+        submission.replace("07-camera/Camera.h", "float near;", std::string("float ") + name + ";");
+        submission.replace("07-camera/Camera.cpp", "    near = near_default;\n", "");
+        submission.replace("07-camera/Camera.cpp", "near", name);
+        const Graded graded = lab::runGrader(
+            {"07-camera", "--submission", submission.folder().string()});
+        EXPECT_EQ(graded.exitCode, 1);
+        EXPECT_TRUE(says(graded, "no member named 'near'"));
+        EXPECT_TRUE(says(graded, "windows.h"));
+    }
+}
+
+TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
+    Submission submission;
+    submission.solve(kRotation, "rotation", "    return undefinedThing;\n");
+    const Graded graded = lab::runGrader({"06-rotation", "--submission", submission.folder().string()});
+    EXPECT_TRUE(says(graded, "rotation.cpp:"));
+    EXPECT_TRUE(says(graded, "undefinedThing"));
+}
+
+void copyFolder(const lab::fs::path& from, const lab::fs::path& to) {
+    lab::fs::create_directories(to);
+    lab::fs::copy(from, to, lab::fs::copy_options::recursive);
+}
+
+/// A copy of the repository's assignments with another root, for damage that must not touch ours.
+class DamagedCourse : public testing::Test {
+protected:
+    DamagedCourse() {
+        for (const char* name : {"assignments", "solutions", "reference_images"})
+            copyFolder(lab::root() / name, work_.path() / "course" / name);
+        // The same program beside another toolchain.json.
+        program_ = work_.path() / "bin/grader";
+        lab::fs::create_directories(program_.parent_path());
+        lab::fs::copy_file(COURSE_GRADER, program_);
+        Json tools = Json::parse(lab::readFile(lab::fs::path(COURSE_GRADER).parent_path() /
+                                               "toolchain.json"));
+        tools["root"] = (work_.path() / "course").string();
+        lab::writeFile(program_.parent_path() / "toolchain.json", tools.dump());
+    }
+
+    Graded grade(const std::string& assignment, const std::string& tree = "solutions") {
+        const auto result =
+            lab::run({program_.string(), assignment, "--submission",
+                      (work_.path() / "course" / tree).string()},
+                     60.0);
+        Graded graded;
+        graded.exitCode = result.exitCode;
+        graded.text = result.output;
+        return graded;
+    }
+    lab::fs::path file(const std::string& name) { return work_.path() / "course" / name; }
+    void edit(const std::string& name, const std::string& from, const std::string& to) {
+        std::string text = lab::readFile(file(name));
+        const auto at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << name << ": " << from;
+        lab::writeFile(file(name), text.replace(at, from.size(), to));
+    }
+
+    lab::WorkFolder work_;
+    lab::fs::path program_;
+};
+
+TEST_F(DamagedCourse, GradesWhenNothingIsDamaged) {
+    EXPECT_EQ(grade("06-rotation").exitCode, 0);
+}
+
+TEST_F(DamagedCourse, AnUnknownManifestFieldIsNamedWithWhatIsAllowed) {
+    edit("assignments/06-rotation/assignment.json", "\"chapter\"", "\"chaptre\": 1, \"chapter\"");
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "assignment.json"));
+    EXPECT_TRUE(says(graded, "unknown field \"chaptre\"; allowed are chapter, "));
+}
+
+TEST_F(DamagedCourse, ANewerManifestIsRefused) {
+    edit("assignments/06-rotation/assignment.json", "\"format\": 1", "\"format\": 2");
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "expected 1, found 2"));
+}
+
+TEST_F(DamagedCourse, AReferenceOfTheWrongSizeIsNamedWithTheCommandThatMendsIt) {
+    edit("assignments/06-rotation/assignment.json", "[400, 300]", "[320, 240]");
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "expected 320 x 240 pixels, found 400 x 300"));
+    EXPECT_TRUE(says(graded, "./grade update-references 06-rotation"));
+}
+
+TEST_F(DamagedCourse, AMissingReferenceIsNamed) {
+    lab::fs::remove(file("reference_images/06-rotation/turned.png"));
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "turned.png is missing"));
+}
+
+TEST_F(DamagedCourse, WithoutSolutionsOnlyThePublishedSeedIsGraded) {
+    lab::fs::rename(file("solutions"), file("handed-in"));
+    EXPECT_EQ(grade("06-rotation", "handed-in").exitCode, 0);
+    const auto other = lab::run({program_.string(), "06-rotation", "--submission",
+                                 file("handed-in").string(), "--seed", "5"},
+                                60.0);
+    EXPECT_EQ(other.exitCode, 2);
+    EXPECT_NE(other.output.find("seed 5 needs solutions/06-rotation"), std::string::npos);
+}
+
+TEST_F(DamagedCourse, WithoutSolutionsWhatRestsOnALostTaskIsSkipped) {
+    lab::fs::rename(file("solutions"), file("handed-in"));
+    edit("handed-in/06-rotation/rotation.cpp", "return R;", "return glm::transpose(R);");
+    const Graded graded = grade("07-camera", "handed-in");
+    EXPECT_EQ(graded.exitCode, 1);
+    EXPECT_TRUE(says(graded, "rests on 06-rotation/rotation, which loses points itself"));
+    edit("handed-in/06-rotation/rotation.cpp", "return glm::transpose(R);", "return R;");
+    edit("handed-in/07-camera/Camera.cpp", "rotation(degrees, up)", "rotation(-degrees, up)");
+    const Graded own = grade("07-camera", "handed-in");
+    EXPECT_FALSE(says(own, "rests on"));
+}
+
+TEST_F(DamagedCourse, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
+    // A kit whose runner finds broken libraries only, as on a machine that has none.
+    const std::string tools = lab::readFile(program_.parent_path() / "toolchain.json");
+    Json json = Json::parse(tools);
+    const lab::fs::path build = std::string(json.at("build"));
+    const lab::fs::path fake = work_.path() / "build";
+    lab::fs::create_directories(fake);
+    for (const char* name : {"kit", "judges"})
+        copyFolder(build / name, fake / name);
+    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
+        lab::writeFile(fake / "kit/broken" / name, "no library");
+    lab::fs::rename(fake / "kit/bin/runner", fake / "kit/bin/runner.real");
+    lab::writeFile(fake / "kit/bin/runner",
+                   "#!/bin/sh\nkit=${0%/bin/runner}\n"
+                   "LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
+    lab::fs::permissions(fake / "kit/bin/runner", lab::fs::perms(0755));
+    json["build"] = fake.string();
+    lab::writeFile(program_.parent_path() / "toolchain.json", json.dump());
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "install libosmesa6"));
+    EXPECT_TRUE(says(graded, "that is not your mistake"));
+}
+
+}  // namespace
