@@ -93,9 +93,8 @@ private:
             result_.unreadable.push_back({name, line, 0, "error", why});
         };
         std::error_code error;
-        if (fs::is_symlink(path) || !fs::is_regular_file(path))
-            refuse(0, "expected a file, found " +
-                          std::string(fs::is_directory(path) ? "a folder" : "something else"));
+        if (const std::string found = insteadOfFile(path); !found.empty())
+            refuse(0, "expected a file, found " + found);
         else if (fs::file_size(path, error) > kLargestFile)
             refuse(0, "the file is larger than 4 MiB");
         else {
@@ -112,6 +111,22 @@ private:
                                static_cast<unsigned char>(file.content[bad])));
         normalise(file);
         result_.stage.files.push_back(std::move(file));
+    }
+
+    /// What is there instead of a file of the student's own; empty when it is one. A link could
+    /// lead to any file that the grader may read, so none is followed below the submission.
+    std::string insteadOfFile(const fs::path& path) const {
+        const fs::path below = path.lexically_relative(submission_.folder);
+        if (!below.empty() && *below.begin() != "..") {
+            fs::path step = submission_.folder;
+            for (const fs::path& part : below)
+                if (fs::is_symlink(fs::symlink_status(step /= part)))
+                    return "a link: copy what it points to";
+        }
+        const fs::file_status status = fs::symlink_status(path);
+        if (fs::is_regular_file(status))
+            return "";
+        return fs::is_directory(status) ? "a folder" : "something else";
     }
 
     /// Takes out what only some editors write.
@@ -134,8 +149,9 @@ private:
             const std::string name = entry.path().filename().string();
             const bool taken = result_.stage.find(name) != nullptr;
             const bool ours = fs::equivalent(folder, manifest_.folder) || sameAsOurs(entry, name);
+            std::error_code circle;
             if (!taken && !ours && !holdsTaken(name))
-                result_.ignored.push_back(entry.is_directory() ? name + "/" : name);
+                result_.ignored.push_back(entry.is_directory(circle) ? name + "/" : name);
             else if (taken && !ours && result_.stage.find(name)->role == Role::provided)
                 result_.ignored.push_back(name);
         }
@@ -143,8 +159,12 @@ private:
     }
     bool sameAsOurs(const fs::directory_entry& entry, const std::string& name) const {
         const fs::path ours = manifest_.folder / name;
-        return entry.is_regular_file() && fs::is_regular_file(ours) &&
-               entry.file_size() <= kLargestFile && readFile(entry.path()) == readFile(ours);
+        try {
+            return entry.is_regular_file() && fs::is_regular_file(ours) &&
+                   entry.file_size() <= kLargestFile && readFile(entry.path()) == readFile(ours);
+        } catch (const std::exception&) {
+            return false;  // cannot be read, or a link in a circle
+        }
     }
     bool holdsTaken(const std::string& folder) const {
         return std::any_of(result_.stage.files.begin(), result_.stage.files.end(),

@@ -1,11 +1,15 @@
 #include "Diagnostics.h"
 
+#include <algorithm>
+#include <optional>
 #include <regex>
 #include <sstream>
 
 namespace grader {
 
 namespace {
+
+constexpr std::size_t kLongestLine = 2000;  // regular expressions recurse
 
 /// Plain quotes, and without GLM's full template names, which are no help to a reader.
 std::string simplified(std::string message) {
@@ -21,6 +25,55 @@ std::string simplified(std::string message) {
 
 std::string withoutDot(const std::string& file) {
     return file.starts_with("./") ? file.substr(2) : file;
+}
+
+std::optional<Diagnostic> fromCompiler(const std::string& line) {
+    static const std::regex located(
+        R"(([^\s:][^:]*):(\d{1,9}):(?:(\d{1,9}):)? (?:fatal )?(error|warning): )");
+    std::smatch match;
+    if (!std::regex_search(line, match, located, std::regex_constants::match_continuous))
+        return std::nullopt;
+    return Diagnostic{withoutDot(match[1]), std::stoi(match[2]),
+                      match[3].matched ? std::stoi(match[3]) : 0, match[4],
+                      simplified(match.suffix())};
+}
+
+/// The source file that a linker means by "…/Camera.cpp.o" or "./Camera.cpp:17", and the line
+/// when it knows one.
+Diagnostic sourceIn(const std::string& text) {
+    static const std::regex source(R"(([^/\s:()]+\.(?:cpp|h|inl))(?:\.o\)?)?(?::(\d{1,9}))?)");
+    Diagnostic found;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), source);
+         it != std::sregex_iterator(); ++it) {
+        found.file = (*it)[1];
+        found.line = (*it)[2].matched ? std::stoi((*it)[2]) : 0;
+    }
+    return found;
+}
+
+/// Two definitions of one function, in the words of GNU ld, gold, mold and lld.
+std::optional<Diagnostic> fromLinker(const std::string& line) {
+    static const std::regex gnu(R"((.*): multiple definition of [`']([^']*)'(?:; (.*))?)");
+    static const std::regex mold(R"(mold: error: duplicate symbol: ([^ ]+): ([^ ]+): (.*))");
+    static const std::regex lld(R"(ld\.lld: error: duplicate symbol: (.*))");
+    std::smatch match;
+    std::string symbol, second, first;
+    if (std::regex_match(line, match, gnu))
+        second = match[1], symbol = match[2], first = match[3];
+    else if (std::regex_match(line, match, mold))
+        second = match[1], first = match[2], symbol = match[3];
+    else if (std::regex_match(line, match, lld))
+        symbol = match[1];
+    else
+        return std::nullopt;
+    Diagnostic result = sourceIn(second);
+    result.severity = "error";
+    result.message = "multiple definition of '" + simplified(symbol) + "'";
+    const Diagnostic other = sourceIn(first);
+    if (!other.file.empty())
+        result.message += ", defined before in " + other.file +
+                          (other.line ? ":" + std::to_string(other.line) : "");
+    return result;
 }
 
 struct Hint {
@@ -50,26 +103,24 @@ const std::vector<Hint>& hints() {
 }  // namespace
 
 std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput) {
-    static const std::regex located(
-        R"(^([^\s:][^:]*):(\d+):(?:(\d+):)? (?:fatal )?(error|warning): (.*)$)");
-    static const std::regex linker(R"(^(?:.*ld[^:]*|mold|.*\.o[^:]*): (?:error: |.*: )?((?:multiple definition of|duplicate symbol).*)$)");
     std::vector<Diagnostic> all;
     std::istringstream lines(compilerOutput);
     for (std::string line; std::getline(lines, line);) {
-        std::smatch match;
-        if (line.size() > 4000)
-            continue;  // the regular expressions recurse
-        if (std::regex_match(line, match, located))
-            all.push_back({withoutDot(match[1]), std::stoi(match[2]),
-                           match[3].matched ? std::stoi(match[3]) : 0, match[4],
-                           simplified(match[5])});
-        else if (std::regex_match(line, match, linker))
-            all.push_back({"", 0, 0, "error",
-                           std::regex_replace(simplified(match[1]),
-                                              std::regex("duplicate symbol:?"),
-                                              "multiple definition of")});
+        line.resize(std::min(line.size(), kLongestLine));
+        if (auto compiler = fromCompiler(line))
+            all.push_back(std::move(*compiler));
+        else if (auto linker = fromLinker(line))
+            all.push_back(std::move(*linker));
     }
     return all;
+}
+
+std::string placeOf(const Diagnostic& diagnostic) {
+    std::string place = diagnostic.file;
+    for (const int number : {diagnostic.line, diagnostic.line ? diagnostic.column : 0})
+        if (number > 0)
+            place += ":" + std::to_string(number);
+    return place.empty() ? place : place + ": ";
 }
 
 std::string hintFor(const Diagnostic& diagnostic) {

@@ -14,9 +14,13 @@ struct Diagnostic {
     std::string message;
 };
 
-/// Reads `file:line:column: error: message` lines (GCC and Clang) and the linker's complaints;
-/// everything else, the quoted source and the notes, is left out.
+/// Reads `file:line:column: error: message` lines (GCC and Clang) and what a linker says about a
+/// function that is defined twice; everything else, the quoted source and the notes, is left out.
+/// Folders of the build do not appear: the same mistake gives the same text in every run.
 std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput);
+
+/// "Camera.cpp:17:5: ", as much of it as is known; empty when not even the file is.
+std::string placeOf(const Diagnostic& diagnostic);
 
 /// What a first-year student can do about it; empty when nothing is known.
 std::string hintFor(const Diagnostic& diagnostic);

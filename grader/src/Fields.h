@@ -1,14 +1,61 @@
 #pragma once
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "Error.h"
 
 namespace grader {
 
 using Json = nlohmann::ordered_json;
+
+/// What kind a value of a field must be. (The library's own conversions would take 2.7 or true for
+/// a whole number.)
+template <class T>
+struct FieldKind;
+template <>
+struct FieldKind<std::string> {
+    static std::string name() { return "a text"; }
+    static bool holds(const Json& json) { return json.is_string(); }
+};
+template <>
+struct FieldKind<int> {
+    static std::string name() { return "a whole number"; }
+    static bool holds(const Json& json) {
+        return json.is_number_integer() && std::in_range<int>(json.get<std::int64_t>());
+    }
+};
+template <>
+struct FieldKind<double> {
+    static std::string name() { return "a number"; }
+    static bool holds(const Json& json) { return json.is_number(); }
+};
+template <>
+struct FieldKind<Json> {
+    static std::string name() { return "anything"; }
+    static bool holds(const Json&) { return true; }
+};
+template <class T>
+struct FieldKind<std::vector<T>> {
+    static std::string name() { return "an array, each element " + FieldKind<T>::name(); }
+    static bool holds(const Json& json) {
+        return json.is_array() && std::all_of(json.begin(), json.end(), FieldKind<T>::holds);
+    }
+};
+template <class T>
+struct FieldKind<std::set<T>> : FieldKind<std::vector<T>> {};
+template <class T>
+struct FieldKind<std::map<std::string, T>> {
+    static std::string name() { return "an object, each value " + FieldKind<T>::name(); }
+    static bool holds(const Json& json) {
+        return json.is_object() && std::all_of(json.begin(), json.end(), FieldKind<T>::holds);
+    }
+};
 
 /// Reads a JSON object that people write by hand. Every complaint names the file, the place, what
 /// is allowed and what was found.
@@ -61,12 +108,11 @@ public:
 private:
     template <class T>
     T convert(const std::string& name) const {
-        try {
-            return object_.at(name).get<T>();
-        } catch (const nlohmann::json::exception&) {
-            throw Error("{}: field \"{}\": {} is not of the right kind", where_, name,
-                        object_.at(name).dump());
-        }
+        const Json& value = object_.at(name);
+        if (!FieldKind<T>::holds(value))
+            throw Error("{}: field \"{}\": expected {}, found {}", where_, name,
+                        FieldKind<T>::name(), value.dump());
+        return value.get<T>();
     }
 
     const Json& object_;

@@ -30,8 +30,11 @@ void writeFile(const fs::path& path, const std::string& content) {
     std::ofstream file(temporary, std::ios::binary);
     file << content;
     file.close();
-    if (!file)
-        throw Error("{} cannot be written: {}", path.string(), std::strerror(errno));
+    if (!file) {
+        const int why = errno;
+        unlink(temporary.c_str());
+        throw Error("{} cannot be written: {}", path.string(), std::strerror(why));
+    }
     fs::rename(temporary, path);
 }
 
@@ -41,9 +44,9 @@ std::string sha256(const std::string& data) {
     return digest;
 }
 
-std::size_t firstInvalidUtf8(const std::string& text) {
+std::size_t firstInvalidUtf8(const std::string& text, std::size_t from) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    for (std::size_t i = 0; i < text.size();) {
+    for (std::size_t i = from; i < text.size();) {
         const unsigned char first = byte(i);
         std::size_t following = 0;
         unsigned low = 0x80, high = 0xBF;  // of the second byte

@@ -16,8 +16,9 @@ void writeFile(const fs::path& path, const std::string& content);
 /// SHA-256 as 64 hexadecimal digits.
 std::string sha256(const std::string& data);
 
-/// Index of the first byte that is not UTF-8; npos when all is well.
-std::size_t firstInvalidUtf8(const std::string& text);
+/// Index of the first byte, `from` or later, that is not UTF-8 text; npos when all is well. A zero
+/// byte is no text.
+std::size_t firstInvalidUtf8(const std::string& text, std::size_t from = 0);
 
 /// A new folder under the system's temporary folder, removed with all in it at the end.
 class WorkFolder {

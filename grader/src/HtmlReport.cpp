@@ -103,8 +103,7 @@ std::string diagnosticsOf(const AssignmentResult& result) {
         return "";
     std::string lines;
     for (const Diagnostic& each : result.diagnostics) {
-        lines += fmt::format("{}:{}:{}: {}: {}\n", each.file, each.line, each.column,
-                             each.severity, each.message);
+        lines += fmt::format("{}{}: {}\n", placeOf(each), each.severity, each.message);
         if (const std::string hint = hintFor(each); !hint.empty())
             lines += "    hint: " + hint + "\n";
     }

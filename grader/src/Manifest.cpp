@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "Fields.h"
 
@@ -51,6 +52,8 @@ Frame readFrame(Fields fields) {
         std::max(size[0], size[1]) > kLargestFrame)
         throw Error("{}: field \"size\": expected [width, height] in pixels, 1 to {}",
                     fields.where(), kLargestFrame);
+    if (frame.points < 0)
+        throw Error("{}: points must not be below 0, found {}", fields.where(), frame.points);
     if (frame.tolerance > kDefaultTolerance && why.empty())
         throw Error("{}: a tolerance above {} needs a \"why\"", fields.where(), kDefaultTolerance);
     frame.width = size[0];
@@ -69,8 +72,19 @@ AssignmentLimits readLimits(Fields fields) {
     return limits;
 }
 
+/// Ids name suites, pictures and rows of the report.
+template <class T>
+void requireDistinctIds(const std::vector<T>& all, const char* what, const std::string& file) {
+    std::set<std::string> ids;
+    for (const T& each : all)
+        if (!ids.insert(each.id).second)
+            throw Error("{}: two {} have the id \"{}\"", file, what, each.id);
+}
+
 /// What one field alone cannot show.
 void requireConsistent(const Manifest& manifest, const std::string& file) {
+    requireDistinctIds(manifest.tasks, "tasks", file);
+    requireDistinctIds(manifest.frames, "frames", file);
     double sum = 0;
     for (const Task& task : manifest.tasks) {
         sum += task.points;

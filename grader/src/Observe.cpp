@@ -152,7 +152,11 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
         protocol::Answer answer = subject->ask(request);
         FrameOutcome& outcome = frames.byId[frame.id];
         outcome.todos = answer.todos;
-        if (answer.outcome == protocol::Outcome::ok)
+        const auto bytes = std::size_t(4) * static_cast<std::size_t>(frame.width) *
+                           static_cast<std::size_t>(frame.height);
+        if (answer.outcome == protocol::Outcome::ok && answer.payload.size() != bytes)
+            outcome.verdict = {Status::tampered, "the frame: an answer that is no picture"};
+        else if (answer.outcome == protocol::Outcome::ok)
             outcome.picture = {frame.width, frame.height, std::move(answer.payload)};
         else
             outcome.verdict = judge::explain("the frame", request, answer);

@@ -56,10 +56,13 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     for (char buffer[16384];;) {
         const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
         pollfd waiting{pipes[0], POLLIN, 0};
-        if (left <= 0 || poll(&waiting, 1, static_cast<int>(left)) == 0) {
+        const int ready = left <= 0 ? 0 : poll(&waiting, 1, static_cast<int>(left));
+        if (ready == 0) {
             result.timedOut = true;
             break;
         }
+        if (ready < 0 && errno == EINTR)
+            continue;
         const ssize_t got = read(pipes[0], buffer, sizeof buffer);
         if (got < 0 && errno == EINTR)
             continue;

@@ -1,6 +1,5 @@
 #include "Regions.h"
 
-#include <regex>
 #include <vector>
 
 namespace grader {
@@ -13,17 +12,21 @@ struct Span {
 };
 
 std::vector<Span> spansOf(const std::string& text) {
-    static const std::regex opening(R"([ \t]*// BEGIN TODO\(([\w-]+)\)[^\n]*\n)");
+    static const std::string opening = "// BEGIN TODO(", closing = "// END TODO(";
     std::vector<Span> spans;
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), opening);
-         it != std::sregex_iterator(); ++it) {
-        const auto begin = static_cast<std::size_t>(it->position() + it->length());
-        const std::string id = (*it)[1];
-        const auto close = text.find("// END TODO(" + id + ")", begin);
-        if (close == std::string::npos)
+    for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {
+        const auto name = at + opening.size();
+        const auto line = text.find('\n', at);
+        const auto parenthesis = text.find(')', name);
+        if (line == std::string::npos || parenthesis > line)
             continue;
-        const auto line = text.rfind('\n', close);
-        spans.push_back({id, begin, line == std::string::npos ? begin : line + 1});
+        const std::string id = text.substr(name, parenthesis - name);
+        const std::string mark = opening + id + ")";
+        const auto close = text.find(closing + id + ")", line);
+        if (id.empty() || close == std::string::npos || text.find(mark) != text.rfind(mark))
+            continue;
+        spans.push_back({id, line + 1, text.rfind('\n', close) + 1});
+        at = close;  // regions do not nest
     }
     return spans;
 }

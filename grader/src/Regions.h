@@ -10,7 +10,7 @@ namespace grader {
 /// `// BEGIN TODO(id)` and `// END TODO(id)`, in C++ and in GLSL.
 ///
 /// A submission need not have any. Returns id → text inside; an unclosed or doubled region is
-/// left out.
+/// left out, and so is one inside another.
 std::map<std::string, std::string> regionsOf(const std::string& text);
 
 /// `text` with the inside of region `id` replaced; nothing when it has no such region.

@@ -49,8 +49,9 @@ Json jsonOf(const CheckResult& check) {
                  {"max_points", rounded(check.maxPoints)},
                  {"message", check.message},
                  {"hint", check.hint}};
-    if (!check.imagePaths.empty())
-        json["images"] = check.imagePaths;
+    for (const char* name : {"submission", "reference", "difference"})
+        if (const auto path = check.imagePaths.find(name); path != check.imagePaths.end())
+            json["images"][name] = path->second;
     return json;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace grader {
@@ -28,19 +30,49 @@ Mark markOf(Status status) {
     }
 }
 
+bool startsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
+
 /// Columns that a text of UTF-8 takes; every sign of ours takes one.
 std::size_t columns(const std::string& text) {
-    std::size_t count = 0;
-    for (const unsigned char each : text)
-        count += (each & 0xC0) != 0x80;
-    return count;
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsCharacter));
+}
+
+/// Bytes of the first `most` columns.
+std::size_t bytesOf(const std::string& text, std::size_t most) {
+    std::size_t at = 0;
+    for (std::size_t seen = 0; at < text.size(); ++at)
+        if (startsCharacter(text[at]) && seen++ == most)
+            break;
+    return at;
+}
+
+/// The text in at most so many columns; "…" stands for the rest.
+std::string shortened(const std::string& text, std::size_t most) {
+    return columns(text) <= most ? text : text.substr(0, bytesOf(text, most - 1)) + "…";
+}
+
+/// Whether a terminal would obey instead of show: control characters, in UTF-8 the second set too,
+/// and those that turn the direction of writing.
+bool steers(const std::string& sign) {
+    static const char* turning[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
+                                    "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
+    const auto first = static_cast<unsigned char>(sign[0]);
+    return first < 32 || first == 127 || (first == 0xC2 && static_cast<unsigned char>(sign[1]) < 0xA0) ||
+           std::find(std::begin(turning), std::end(turning), sign) != std::end(turning);
 }
 
 /// Text of a student's making must not steer the terminal.
-std::string harmless(const std::string& text) {
+std::string harmless(std::string text) {
+    for (auto bad = firstInvalidUtf8(text); bad != std::string::npos;
+         bad = firstInvalidUtf8(text, bad))
+        text[bad] = '?';
     std::string safe;
-    for (const char each : text)
-        safe += static_cast<unsigned char>(each) < 32 || each == 127 ? ' ' : each;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t size = bytesOf(text.substr(i, 5), 1);
+        const std::string sign = text.substr(i, size);
+        safe += steers(sign) ? " " : sign;
+        i += size;
+    }
     return safe;
 }
 
@@ -51,12 +83,12 @@ public:
     std::string painted(const std::string& text, const char* colour) const {
         return style_.colours ? colour + text + kReset : text;
     }
-    /// Left text, then right text at the margin.
+    /// Left text, cut where it must be, then right text at the margin.
     void row(const std::string& left, const std::string& right, const char* colour = "") {
-        const auto width = static_cast<std::size_t>(style_.width);
-        const std::size_t used = columns(left) + columns(right);
-        out_ << (*colour ? painted(left, colour) : left)
-             << std::string(used < width ? width - used : 1, ' ') << right << "\n";
+        const auto width = static_cast<std::size_t>(style_.width) - columns(right);
+        const std::string text = shortened(harmless(left), width - 1);
+        out_ << (*colour ? painted(text, colour) : text)
+             << std::string(width - columns(text), ' ') << right << "\n";
     }
     /// `lead` once, then words wrapped and indented below each other.
     void paragraph(const std::string& lead, const std::string& text) {
@@ -73,6 +105,11 @@ public:
             }
             line += (empty ? "" : " ") + word;
             empty = false;
+            while (columns(line) > width) {  // one word that is longer than a line
+                const std::size_t cut = bytesOf(line, width);
+                out_ << line.substr(0, cut) << "\n";
+                line = std::string(indent, ' ') + line.substr(cut);
+            }
         }
         out_ << line << "\n";
     }
@@ -92,11 +129,7 @@ void writeDiagnostics(Writer& out, const AssignmentResult& result) {
     for (const Diagnostic& each : result.diagnostics) {
         if (each.severity != "error" || ++errors > kMostDiagnostics)
             continue;
-        const std::string place = each.file.empty() ? ""
-                                  : each.line == 0  ? each.file + ": "
-                                                    : fmt::format("{}:{}:{}: ", each.file, each.line,
-                                                                  each.column);
-        out.paragraph("    ✗ ", place + each.message);
+        out.paragraph("    ✗ ", placeOf(each) + each.message);
         if (const std::string hint = hintFor(each); !hint.empty())
             out.paragraph("      hint: ", hint);
     }

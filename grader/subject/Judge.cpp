@@ -4,8 +4,12 @@ namespace judge {
 
 namespace {
 
-/// Four significant digits, no "-0".
-std::string number(float value) { return fmt::format("{:.4g}", value == 0.0f ? 0.0f : value); }
+constexpr float kRoundingNoise = 1e-6f;
+
+/// Four significant digits; what is only rounding noise, and "-0", is 0.
+std::string number(float value) {
+    return fmt::format("{:.4g}", std::abs(value) < kRoundingNoise ? 0.0f : value);
+}
 
 template <class V>
 std::string joined(const V& value, const char* separator) {

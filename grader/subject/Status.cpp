@@ -37,6 +37,17 @@ std::string signalName(int signal) {
     }
 }
 
+/// A report's sentence has an end, whatever a student's exception says.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kMostBytes = 400;
+    if (text.size() <= kMostBytes)
+        return text;
+    std::size_t end = kMostBytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+        --end;  // not through the middle of a character
+    return text.substr(0, end) + "…";
+}
+
 }  // namespace
 
 const char* toString(Status status) {
@@ -56,12 +67,13 @@ Status statusFromString(const std::string& word) {
 Verdict explain(const std::string& what, const protocol::Request& request,
                 const protocol::Answer& answer) {
     using protocol::Outcome;
-    const std::string place = answer.detail.empty() ? "" : " in " + answer.detail;
+    const std::string detail = shortened(answer.detail);
+    const std::string place = detail.empty() ? "" : " in " + detail;
     switch (answer.outcome) {
         case Outcome::ok: break;
-        case Outcome::missing: return {Status::notImplemented, answer.detail};
+        case Outcome::missing: return {Status::notImplemented, detail};
         case Outcome::exception:
-            return {Status::crash, fmt::format("{} threw an exception: {}", what, answer.detail)};
+            return {Status::crash, fmt::format("{} threw an exception: {}", what, detail)};
         case Outcome::crash:
             return {Status::crash,
                     fmt::format("{} crashed{} with {}", what, place, signalName(answer.code))};
@@ -80,9 +92,9 @@ Verdict explain(const std::string& what, const protocol::Request& request,
         case Outcome::output:
             return {Status::output,
                     fmt::format("{} printed more than {} KiB", what, request.outputBytes / 1024)};
-        case Outcome::tampered: return {Status::tampered, what + ": " + answer.detail};
+        case Outcome::tampered: return {Status::tampered, what + ": " + detail};
         case Outcome::unknown:
-        case Outcome::faulty: return {Status::graderError, answer.detail};
+        case Outcome::faulty: return {Status::graderError, detail};
     }
     return {Status::graderError, what + ": an answer that is no failure was explained as one"};
 }
