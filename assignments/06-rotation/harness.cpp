@@ -34,18 +34,18 @@ void drawArrowKeys(const FrameRequest& request) {
 
 void drawSeededTurn(const FrameRequest& request) {
     SeededValues values(request.seed);
-    const float degrees = values.uniform(35.0f, 145.0f);
+    const float degrees = values.uniform(80.0f, 150.0f);
     const glm::vec3 axis = values.unitVector();
     drawBody(request, rotation(degrees, axis));
 }
 
 void drawThreeBodies(const FrameRequest& request) {
     SeededValues values(request.seed);
-    const float degrees = values.uniform(35.0f, 145.0f);
+    const float degrees = values.uniform(80.0f, 150.0f);
     const glm::vec3 axis = values.unitVector();
     const glm::mat3 poses[3] = {
-        eulerRodrigues(50.0f, glm::vec3(1.0f, 2.0f, 3.0f)),
-        eulerRodrigues(-110.0f, glm::vec3(-2.0f, 1.0f, 0.5f)),
+        eulerRodrigues(100.0f, glm::vec3(1.0f, 2.0f, 3.0f)),
+        eulerRodrigues(-130.0f, glm::vec3(-2.0f, 1.0f, 0.5f)),
         eulerRodrigues(degrees, axis),
     };
     scene().drawThreeBodies(poses, aspect(request));
@@ -62,7 +62,7 @@ CG_HARNESS(harness) {
 
     harness.frame("whirl", [](const FrameRequest& request) { drawWhirl(request); });
     harness.frame("turned", [](const FrameRequest& request) {
-        drawBody(request, rotation(50.0f, glm::vec3(1.0f, 2.0f, 3.0f)));
+        drawBody(request, rotation(100.0f, glm::vec3(1.0f, 2.0f, 3.0f)));
     });
     harness.frame("arrow-keys", [](const FrameRequest& request) { drawArrowKeys(request); });
     harness.frame("seeded-turn", [](const FrameRequest& request) { drawSeededTurn(request); });

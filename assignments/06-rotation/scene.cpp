@@ -62,7 +62,7 @@ void Scene::drawThreeBodies(const glm::mat3 (&poses)[3], float aspect) {
     begin(aspect);
     const glm::vec3 right(glm::transpose(view) * glm::vec4(1, 0, 0, 0));
     for (int i = 0; i < 3; ++i) {
-        const glm::mat4 place = glm::translate(glm::mat4(1.0f), 1.15f * float(i - 1) * right);
+        const glm::mat4 place = glm::translate(glm::mat4(1.0f), 1.08f * float(i - 1) * right);
         body(place * glm::mat4(0.62f * poses[i]));
     }
 }

@@ -66,11 +66,11 @@ void drawLookAt(const FrameRequest& request, const glm::vec3& eye, const glm::ve
     draw(request, camera.view);
 }
 
-// A start in general position: the target off the origin in all three directions, the eye 4.5
-// units away from it, up slanted and orthogonal to eye - target, so that rotateRight has one
-// reading.
-const glm::vec3 offTarget(0.3f, -0.2f, 0.25f);
-const glm::vec3 offArm(2.5f, 1.5f, 3.4f);
+// A start in general position: the target off the origin in all three directions, the eye
+// 1.5 units away from it, up slanted and orthogonal to eye - target, so that rotateRight has
+// one reading.
+const glm::vec3 offTarget(-0.4f, -0.2f, 0.35f);
+const glm::vec3 offArm(0.85f, 0.55f, 1.15f);
 const glm::vec3 offEye = offTarget + offArm;
 const glm::vec3 yAxis(0.0f, 1.0f, 0.0f);
 const glm::vec3 offUp =
@@ -87,13 +87,13 @@ void drawArrowKeys(const FrameRequest& request) {
 
 void drawSeededTurn(const FrameRequest& request) {
     SeededValues values(request.seed);
-    const float first = values.uniform(20.0f, 60.0f), second = values.uniform(50.0f, 110.0f);
+    const float first = values.uniform(60.0f, 90.0f), second = values.uniform(150.0f, 170.0f);
     drawTurned(request, turned(offEye, offTarget, offUp, {{0, first}, {0, second}}));
 }
 
 void drawSeededView(const FrameRequest& request) {
     SeededValues values(request.seed);
-    const float azimuth = values.uniform(0.3f, 1.2f), height = values.uniform(1.2f, 2.5f);
+    const float azimuth = values.uniform(2.4f, 3.9f), height = values.uniform(1.2f, 2.5f);
     const glm::vec3 eye(4.0f * std::sin(azimuth), height, 4.0f * std::cos(azimuth));
     const float slantX = values.uniform(-0.6f, 0.6f), slantZ = values.uniform(-0.6f, 0.6f);
     const glm::vec3 up(slantX, 2.0f, slantZ);
@@ -134,7 +134,7 @@ CG_HARNESS(harness) {
     });
 
     harness.frame("from-the-right", [](const FrameRequest& request) {
-        drawTurned(request, turned(offEye, offTarget, offUp, {{0, 50.0f}}));
+        drawTurned(request, turned(offEye, offTarget, offUp, {{0, 230.0f}}));
     });
     harness.frame("seeded-turn", [](const FrameRequest& request) { drawSeededTurn(request); });
     harness.frame("arrow-keys", [](const FrameRequest& request) { drawArrowKeys(request); });
@@ -142,7 +142,7 @@ CG_HARNESS(harness) {
         drawTurned(request, turned(offEye, offTarget, offUp, {{1, 40.0f}, {1, 40.0f}, {1, 40.0f}}));
     });
     harness.frame("slanted-up", [](const FrameRequest& request) {
-        drawLookAt(request, glm::vec3(2.0f, 1.5f, 4.0f), offTarget, glm::vec3(0.5f, 1.2f, 0.3f));
+        drawLookAt(request, glm::vec3(-2.0f, 1.9f, -3.2f), offTarget, glm::vec3(0.5f, 1.2f, 0.3f));
     });
     harness.frame("seeded-view", [](const FrameRequest& request) { drawSeededView(request); });
 }

@@ -54,7 +54,7 @@ const glm::vec3 closeEye(-0.35f, 0.55f, 3.1f);
 
 void drawSeededLens(const FrameRequest& request) {
     SeededValues values(request.seed);
-    const Lens lens{values.uniform(45.0f, 70.0f), aspect(request), values.uniform(1.6f, 2.2f),
+    const Lens lens{values.uniform(45.0f, 70.0f), aspect(request), values.uniform(2.1f, 2.4f),
                     values.uniform(4.2f, 5.2f)};
     const glm::vec3 eye = closeEye + glm::vec3(values.uniform(-0.3f, 0.3f), 0.0f, 0.0f);
     draw(viewFrom(eye), perspective(lens));
@@ -63,7 +63,7 @@ void drawSeededLens(const FrameRequest& request) {
 void drawSeededBox(const FrameRequest& request) {
     SeededValues values(request.seed);
     const float height = values.uniform(2.4f, 3.2f);
-    const float n = values.uniform(1.6f, 2.0f), f = values.uniform(4.4f, 5.0f);
+    const float n = values.uniform(2.1f, 2.4f), f = values.uniform(4.4f, 5.0f);
     draw(viewFrom(closeEye), orthographic(height, aspect(request), n, f));
 }
 
@@ -119,7 +119,7 @@ CG_HARNESS(harness) {
     });
     harness.frame("seeded-lens", [](const FrameRequest& request) { drawSeededLens(request); });
     harness.frame("parallel", [](const FrameRequest& request) {
-        draw(viewFrom(closeEye), orthographic(2.8f, aspect(request), 1.8f, 4.7f));
+        draw(viewFrom(closeEye), orthographic(2.8f, aspect(request), 2.05f, 4.7f));
     });
     harness.frame("seeded-box", [](const FrameRequest& request) { drawSeededBox(request); });
     harness.frame("vanishing-point",

@@ -123,7 +123,9 @@ int main(int argc, char** argv) {
     }
     if (!resultPath.empty()) {
         std::ofstream file(resultPath);
-        file << nlohmann::json{{"checks", listener->checks}};
+        // A student's exception may say anything; what is not UTF-8 is replaced.
+        file << nlohmann::json{{"checks", listener->checks}}.dump(
+            -1, ' ', false, nlohmann::json::error_handler_t::replace);
         if (!file.flush()) {
             std::cerr << "cannot write " << resultPath << "\n";
             return 2;
