@@ -26,7 +26,7 @@ public:
 
     /// Compiles and links; needs a current context. May be called again, for instance after an
     /// edit: the former program is then deleted (by GL, as soon as it is no longer in use).
-    /// Throws cg::Error with the compiler's log, every place as "file:line: message"; `program`
+    /// Throws cg::GlslError with the compiler's log, every place as "file:line: message"; `program`
     /// then still is the former one, and no GL object is left behind.
     void compile();
 

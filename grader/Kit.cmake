@@ -1,5 +1,5 @@
 # The kit: the one folder of ours that a sandbox sees. Headers, the precompiled prelude, library cg,
-# shaders and the runner; no test, no reference, no solution.
+# shaders, meshes and the runner; no test, no reference, no solution.
 
 set(KIT ${PROJECT_BINARY_DIR}/kit)
 set(kit_headers)
@@ -7,7 +7,8 @@ foreach(folder common common/cg grader/runner grader/protocol)
     file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h)
     list(APPEND kit_headers ${found})
 endforeach()
-file(GLOB kit_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/common/shaders/*)
+file(GLOB kit_resources CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/common/shaders/* ${PROJECT_SOURCE_DIR}/common/models/*.obj)
 
 set(copies)
 function(kit_copy source target)
@@ -21,10 +22,10 @@ foreach(header IN LISTS kit_headers)
     kit_copy(${header} ${KIT}/include/${name})
     list(APPEND copies ${KIT}/include/${name})
 endforeach()
-foreach(shader IN LISTS kit_shaders)
-    get_filename_component(name ${shader} NAME)
-    kit_copy(${shader} ${KIT}/shaders/${name})
-    list(APPEND copies ${KIT}/shaders/${name})
+foreach(resource IN LISTS kit_resources)
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/common ${resource})
+    kit_copy(${resource} ${KIT}/${name})
+    list(APPEND copies ${KIT}/${name})
 endforeach()
 kit_copy(${CMAKE_CURRENT_SOURCE_DIR}/prelude.h ${KIT}/prelude/prelude.h)
 

@@ -134,7 +134,7 @@ Pixels Context::readPixels() const {
 
     entry<PFNGLFINISHPROC>(*this, "glFinish")();
     errors();
-    entry<PFNGLBINDFRAMEBUFFERPROC>(*this, "glBindFramebuffer")(GL_READ_FRAMEBUFFER, 0);
+    entry<PFNGLBINDFRAMEBUFFERPROC>(*this, "glBindFramebuffer")(GL_READ_FRAMEBUFFER, framebuffer());
     entry<PFNGLBINDBUFFERPROC>(*this, "glBindBuffer")(GL_PIXEL_PACK_BUFFER, 0);
     const auto pixelStore = entry<PFNGLPIXELSTOREIPROC>(*this, "glPixelStorei");
     pixelStore(GL_PACK_ALIGNMENT, 1);

@@ -14,7 +14,7 @@ public:
     Context& operator=(const Context&) = delete;
     virtual ~Context();
 
-    /// "osmesa" or "glfw".
+    /// "osmesa", "egl" or "glfw".
     virtual const char* provider() const = 0;
 
     /// Directs the GL calls of this thread to this context. Throws cg::Error.
@@ -47,6 +47,9 @@ public:
 protected:
     /// Throws cg::Error unless both are 1 to 16384.
     Context(int width, int height);
+
+    /// The framebuffer object that holds the picture; 0 is the context's own.
+    virtual unsigned framebuffer() const { return 0; }
 
     void becomeCurrent();  ///< a provider calls this when makeCurrent() succeeded
     bool isCurrent() const;

@@ -42,6 +42,9 @@ std::optional<char> letterOf(unsigned codepoint) {
     if (codepoint >= 'a' && codepoint <= 'z') {
         return static_cast<char>(codepoint);
     }
+    if (codepoint == '+' || codepoint == '-' || codepoint == '=') {
+        return static_cast<char>(codepoint);
+    }
     return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ public:
             up,
             down,
             escape,
-            letter,  ///< `letter` holds it, as the keyboard's layout says, in lower case
+            letter,  ///< `letter` holds it, as the keyboard's layout says, in lower case; or + - =
             redraw,  ///< new size, or the window came into sight
             close,
         };

@@ -21,6 +21,35 @@ std::string nameLine(const std::string& line, const std::string& file) {
     return line;
 }
 
+/// Number of the first line that the log complains about; 0 when it names none.
+std::size_t firstLine(const std::string& log) {
+    static const std::regex place(R"((?:^|\n)(?:ERROR: *)?\d+[:(](\d+))");
+    std::smatch found;
+    return std::regex_search(log, found, place) ? std::stoul(found.str(1)) : 0;
+}
+
+std::string lineOf(const std::string& source, std::size_t number) {
+    std::istringstream lines(source);
+    std::string line;
+    for (std::size_t i = 0; i < number && std::getline(lines, line); ++i) {
+    }
+    return line;
+}
+
+bool holds(const std::string& text, const char* pattern) {
+    return std::regex_search(text, std::regex(pattern));
+}
+
+/// Whether anything but space and comments stands before #version.
+bool hasTextBeforeVersion(const std::string& source) {
+    const auto at = source.find("#version");
+    if (at == std::string::npos) {
+        return true;
+    }
+    static const std::regex comment(R"(//[^\n]*|/\*[\s\S]*?\*/)");
+    return holds(std::regex_replace(source.substr(0, at), comment, ""), R"(\S)");
+}
+
 }  // namespace
 
 std::string nameGlslLog(const std::string& log, const std::string& file) {
@@ -32,6 +61,24 @@ std::string nameGlslLog(const std::string& log, const std::string& file) {
         }
     }
     return result;
+}
+
+std::string glslHint(const std::string& log, const std::string& source) {
+    const std::string line = lineOf(source, firstLine(log));
+    if (holds(line, R"((^|[^\w.])\d+f\b)")) {
+        return "a float has a decimal point: write 0.0 or 0.0f, not 0f";
+    }
+    if (holds(line, R"(\bunsigned\s+int\b)")) {
+        return "GLSL calls this type uint";
+    }
+    if (holds(log, R"((cannot|can't|could not) (be )?(assign|convert|implicitly)|type float)") &&
+        holds(line, R"(\b(int|uint|ivec[234])\b)")) {
+        return "GLSL turns no float into an int by itself: write int(x)";
+    }
+    if (hasTextBeforeVersion(source)) {
+        return "#version 330 core must be the first line; only comments and space may stand before";
+    }
+    return "";
 }
 
 }  // namespace cg

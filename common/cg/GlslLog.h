@@ -10,4 +10,9 @@ namespace cg {
 /// lines and the NUL that some drivers append are dropped.
 std::string nameGlslLog(const std::string& log, const std::string& file);
 
+/// What to do about the first error of a log (as the driver wrote it), when it is one of those that
+/// one driver forgives and another does not: `0f`, `unsigned int`, a float given to an int, text
+/// before #version. Empty for any other.
+std::string glslHint(const std::string& log, const std::string& source);
+
 }  // namespace cg

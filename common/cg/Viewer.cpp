@@ -18,16 +18,19 @@ constexpr float stepDegrees = 10.0f;
 
 }  // namespace
 
-Viewer::Viewer(std::string name, std::string title)
-    : name_(std::move(name)), title_(std::move(title)) {}
+Viewer::Viewer(std::string name, std::string title, int width, int height)
+    : name_(std::move(name)), title_(std::move(title)) {
+    defaults_.width = width;
+    defaults_.height = height;
+}
 
 Viewer::~Viewer() = default;
 
 int Viewer::run(int argc, const char* const* argv) {
     try {
-        const ViewerOptions options = parseViewerOptions(argc, argv);
+        const ViewerOptions options = parseViewerOptions(argc, argv, defaults_);
         if (options.help) {
-            std::cout << viewerUsage(name_);
+            std::cout << viewerUsage(name_, defaults_);
         } else {
             show(options);
         }
@@ -82,18 +85,17 @@ void Viewer::drawFrame(GlfwContext& context) {
 void Viewer::handle(GlfwContext::Event event) {
     using Kind = GlfwContext::Event::Kind;
     switch (event.kind) {
-        // Opposite to the arrow, as if it moved the model instead of the camera.
         case Kind::left:
-            rotateRight(stepDegrees);
+            arrow(-1, 0);
             break;
         case Kind::right:
-            rotateRight(-stepDegrees);
+            arrow(1, 0);
             break;
         case Kind::up:
-            rotateUp(-stepDegrees);
+            arrow(0, 1);
             break;
         case Kind::down:
-            rotateUp(stepDegrees);
+            arrow(0, -1);
             break;
         case Kind::letter:
             pressed(event.letter);
@@ -107,6 +109,16 @@ void Viewer::handle(GlfwContext::Event event) {
     }
 }
 
+void Viewer::arrow(int right, int up) {
+    // Opposite to the arrow, as if it moved the model instead of the camera.
+    if (right != 0) {
+        rotateRight(-stepDegrees * static_cast<float>(right));
+    }
+    if (up != 0) {
+        rotateUp(-stepDegrees * static_cast<float>(up));
+    }
+}
+
 void Viewer::pressed(char letter) {
     if (letter == 'h') {
         printHelp();
@@ -117,14 +129,16 @@ void Viewer::pressed(char letter) {
     } else if (letter == 'p' && hasPerspective()) {
         perspective_ = !perspective_;
         printPerspective();
+    } else {
+        key(letter);
     }
 }
 
 void Viewer::printHelp() const {
     std::cout << name_ << ", " << title_ << ". Keys:\n"
               << "  h           this list\n"
-              << "  arrow keys  turn by 10 degrees\n"
-              << "  r           back to the start\n"
+              << "  arrow keys  " << arrowHelp() << "\n"
+              << keyHelp() << "  r           back to the start\n"
               << (hasPerspective() ? "  p           perspective on or off\n" : "")
               << "  o           save a screenshot\n"
               << "  Esc         quit" << std::endl;

@@ -14,13 +14,15 @@ namespace cg {
 ///     Esc        quits                    Up, Down      rotateUp(-10), rotateUp(+10)
 ///     r          reset()                  o             saves a screenshot in the current folder
 ///     p          switches perspective (where hasPerspective())
+///     others     key(), named in keyHelp()
 ///
 /// The title names the tasks that were reached and are not implemented. A resized window keeps the
 /// picture undistorted: the viewport is set here, and draw() is told the aspect ratio.
 class Viewer {
 public:
     /// `name` ("07-camera") begins the title and names the screenshots; `title` says more.
-    Viewer(std::string name, std::string title);
+    /// The window is width x height screen units unless the command line says otherwise.
+    Viewer(std::string name, std::string title, int width = 800, int height = 600);
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
     virtual ~Viewer();
@@ -33,9 +35,18 @@ protected:
     virtual void init() = 0;              ///< once, with the context current
     virtual void draw(float aspect) = 0;  ///< a whole picture; aspect is width / height
     virtual void reset() = 0;             ///< back to the start
-    virtual void rotateRight(float degrees) = 0;
-    virtual void rotateUp(float degrees) = 0;
+    virtual void rotateRight(float /*degrees*/) {}
+    virtual void rotateUp(float /*degrees*/) {}
     virtual bool hasPerspective() const { return false; }
+
+    /// An arrow key: right is 1 for the right one and -1 for the left one, up likewise, the other
+    /// is 0. Turns, unless a derived class does something else.
+    virtual void arrow(int right, int up);
+    virtual std::string arrowHelp() const { return "turn by 10 degrees"; }
+
+    /// Any other letter, in lower case, or one of + - =. Lines for keyHelp(): "  a closer\n".
+    virtual void key(char /*letter*/) {}
+    virtual std::string keyHelp() const { return ""; }
 
     bool perspective() const { return perspective_; }
 
@@ -51,6 +62,7 @@ private:
 
     std::string name_;
     std::string title_;
+    ViewerOptions defaults_;
     bool perspective_ = false;
     bool screenshotWanted_ = false;
     bool running_ = true;

@@ -25,8 +25,8 @@ void parseSize(const std::string& text, ViewerOptions& options) {
 
 }  // namespace
 
-ViewerOptions parseViewerOptions(int argc, const char* const* argv) {
-    ViewerOptions options;
+ViewerOptions parseViewerOptions(int argc, const char* const* argv, const ViewerOptions& defaults) {
+    ViewerOptions options = defaults;
     for (int k = 1; k < argc; ++k) {
         const std::string argument = argv[k];
         const auto value = [&]() -> std::string {
@@ -48,10 +48,12 @@ ViewerOptions parseViewerOptions(int argc, const char* const* argv) {
     return options;
 }
 
-std::string viewerUsage(const std::string& program) {
+std::string viewerUsage(const std::string& program, const ViewerOptions& defaults) {
     return "Usage: " + program +
            " [--size WIDTHxHEIGHT] [--screenshot FILE]\n"
-           "  --size WIDTHxHEIGHT  size of the window, 800x600 unless told otherwise\n"
+           "  --size WIDTHxHEIGHT  size of the window, " +
+           std::to_string(defaults.width) + "x" + std::to_string(defaults.height) +
+           " unless told otherwise\n"
            "  --screenshot FILE    write the first picture to FILE (PNG) and quit\n"
            "  --help               print this and quit\n";
 }

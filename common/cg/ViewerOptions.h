@@ -12,10 +12,12 @@ struct ViewerOptions {
     bool help = false;       ///< print the usage and quit (--help)
 };
 
-/// Reads the command line. Throws cg::Error that names the argument and what is allowed.
-ViewerOptions parseViewerOptions(int argc, const char* const* argv);
+/// Reads the command line; what it does not say is taken from `defaults`. Throws cg::Error that
+/// names the argument and what is allowed.
+ViewerOptions parseViewerOptions(int argc, const char* const* argv,
+                                 const ViewerOptions& defaults = {});
 
 /// The text for --help.
-std::string viewerUsage(const std::string& program);
+std::string viewerUsage(const std::string& program, const ViewerOptions& defaults = {});
 
 }  // namespace cg

@@ -54,7 +54,7 @@ class Bench {
 public:
     Bench()
         : tools_(Toolchain::load()), manifest_(loadAssignment(tools_.root, kAssignment)),
-          plain_(makePlainProcess()), observer_(tools_, *plain_), grader_(tools_, *plain_) {
+          plain_(makePlainProcess()), observer_(tools_, *plain_, "auto"), grader_(tools_, *plain_) {
         submission_ = work_.path() / "submission";
         fs::copy(tools_.root / "solutions", submission_, fs::copy_options::recursive);
         stage_ = grader_.stageOf(manifest_, "solutions");

@@ -69,6 +69,7 @@ Bytes encodeRequest(const Request& request) {
     out.number(static_cast<std::uint8_t>(request.kind));
     out.text(request.name);
     out.blob(request.arguments);
+    out.number(static_cast<std::uint8_t>(request.census));
     out.number(request.width);
     out.number(request.height);
     out.number(request.seed);
@@ -84,6 +85,7 @@ Request decodeRequest(std::span<const std::uint8_t> body) {
     request.kind = readEnum(in, RequestKind::graphics);
     request.name = in.text();
     request.arguments = in.blob();
+    request.census = in.number<std::uint8_t>() != 0;
     request.width = in.number<std::int32_t>();
     request.height = in.number<std::int32_t>();
     request.seed = in.number<std::uint64_t>();

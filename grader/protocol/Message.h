@@ -13,13 +13,19 @@ namespace protocol {
 
 using Nonce = std::array<std::uint64_t, 2>;
 
-enum class RequestKind : std::uint8_t { call, frame, graphics };
+enum class RequestKind : std::uint8_t {
+    call,      ///< a function, in a process of its own
+    draw,      ///< a function that needs a context, in the drawing process; see DrawCall.h
+    frame,     ///< a picture
+    graphics,  ///< what draws
+};
 
 struct Request {
     Nonce nonce{};
     RequestKind kind = RequestKind::call;
     std::string name;         ///< function or frame; empty for `graphics`
-    Bytes arguments;          ///< of a call, see Value.h
+    Bytes arguments;          ///< of a call or draw, see Value.h
+    bool census = false;      ///< of a draw: note the draw calls
     std::int32_t width = 0;   ///< of a frame, pixels
     std::int32_t height = 0;  ///< of a frame, pixels
     std::uint64_t seed = 1;   ///< of a frame
@@ -31,6 +37,7 @@ struct Request {
 enum class Outcome : std::uint8_t {
     ok,
     missing,    ///< the submission lacks a function that was needed; `detail` is its symbol
+    shader,     ///< a shader does not compile or link; `detail` is the log, with file and line
     exception,  ///< an exception left the function; `detail` is its text
     crash,      ///< a signal (`code`); `detail` says where, when that is known
     exited,     ///< the code ended its process with exit status `code`

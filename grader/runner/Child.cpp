@@ -200,7 +200,7 @@ Answer Child::explainAnswer(const Bytes& body) {
         answer.outcome = Outcome::tampered;
         answer.detail = "bytes that are no answer came out of the submission's process";
     }
-    if (answer.outcome == Outcome::missing)
+    if (answer.outcome == Outcome::missing && answer.detail.starts_with("_Z"))
         answer.detail = describeMissingSymbol(files_.object, answer.detail);
     return answer;
 }

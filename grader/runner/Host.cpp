@@ -1,14 +1,19 @@
 #include "runner/Host.h"
 
-#include <cg/OsMesaContext.h>
+#include <cg/GlslProgram.h>
+#include <cg/HeadlessContext.h>
+#include <cg/ShaderProbe.h>
 #include <dlfcn.h>
 #include <link.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <utility>
 
+#include "runner/Census.h"
 #include "runner/CrashReport.h"
 
 namespace runner {
@@ -72,6 +77,9 @@ void Host::serve(int descriptor) {
         if (loaded_) {
             answer.todos = harness_.reachedTodos();
             harness_.clearTodos();
+            for (const std::string& id : std::exchange(shaderTodos_, {}))
+                if (std::find(answer.todos.begin(), answer.todos.end(), id) == answer.todos.end())
+                    answer.todos.push_back(id);
         }
         if (!protocol::writeAll(descriptor, protocol::framed(protocol::kAnswerMagic,
                                                              protocol::encodeAnswer(answer))))
@@ -84,6 +92,7 @@ Answer Host::perform(const Request& request) {
     try {
         switch (request.kind) {
             case RequestKind::call: answer.payload = call(request); break;
+            case RequestKind::draw: answer.payload = draw(request); break;
             case RequestKind::frame: answer.payload = drawFrame(request); break;
             case RequestKind::graphics: answer.payload = describeGraphics(); break;
         }
@@ -93,6 +102,12 @@ Answer Host::perform(const Request& request) {
     } catch (const protocol::ProtocolError& error) {
         answer.outcome = Outcome::unknown;
         answer.detail = request.name + ": " + error.what();
+    } catch (const cg::GlslError& error) {
+        answer.outcome = Outcome::shader;
+        answer.detail = error.what();
+    } catch (const cg::MissingFunction& error) {
+        answer.outcome = Outcome::missing;
+        answer.detail = error.what();
     } catch (const std::bad_alloc&) {
         answer.outcome = Outcome::memory;
     } catch (const std::exception& error) {
@@ -114,13 +129,27 @@ Bytes Host::call(const Request& request) {
     return found->second(arguments);
 }
 
+Bytes Host::draw(const Request& request) {
+    constexpr int kSide = 64;  // pixels of a framebuffer that nobody looks at
+    needContext(kSide, kSide);
+    beginCensus(request.census);
+    protocol::DrawAnswer answer;
+    answer.value = call(request);
+    Census census = takeCensus();
+    shaderTodos_ = std::move(census.todos);
+    answer.calls = std::move(census.calls);
+    return protocol::encodeDrawAnswer(answer);
+}
+
 Bytes Host::drawFrame(const Request& request) {
     needContext(request.width, request.height);
     load();
     const auto found = harness_.frames.find(request.name);
     if (found == harness_.frames.end())
         throw Refusal{Outcome::unknown, "the harness has no frame " + request.name};
+    beginCensus(false);
     found->second({request.width, request.height, request.seed});
+    shaderTodos_ = takeCensus().todos;
     return context_->readPixels().rgba;
 }
 
@@ -150,9 +179,10 @@ void Host::load() {
 void Host::needContext(int width, int height) {
     try {
         if (!context_)
-            context_ = cg::createOsMesaContext(width, height);
+            context_ = cg::createHeadlessContext(files_.provider, width, height);
         else
             context_->resizeFramebuffer(width, height);
+        setCensusContext(context_.get());
         using Viewport = void (*)(int, int, int, int);
         reinterpret_cast<Viewport>(context_->function("glViewport"))(0, 0, width, height);
     } catch (const std::exception& error) {

@@ -14,6 +14,7 @@ namespace runner {
 struct SubjectFiles {
     std::string object;          ///< the subject's shared object
     std::string resourceFolder;  ///< shaders of the framework; searched after the working folder
+    std::string provider;        ///< of OpenGL contexts: "osmesa", "egl", "auto"
 };
 
 /// A child process's side: loads the subject, serves requests one after the other. Whatever goes
@@ -28,6 +29,7 @@ public:
 private:
     protocol::Answer perform(const protocol::Request& request);
     protocol::Bytes call(const protocol::Request& request);
+    protocol::Bytes draw(const protocol::Request& request);
     protocol::Bytes drawFrame(const protocol::Request& request);
     protocol::Bytes describeGraphics();
     void load();
@@ -37,6 +39,7 @@ private:
     Harness harness_;
     std::unique_ptr<cg::Context> context_;
     bool loaded_ = false;
+    std::vector<std::string> shaderTodos_;  ///< that the census of this request found
 };
 
 }  // namespace runner

@@ -1,6 +1,6 @@
 // The runner: a small sandboxed program that hosts a student's code.
 //
-// Theory of operation. The judge starts `runner SUBJECT RESOURCES DESCRIPTOR` in a sandbox and
+// Theory of operation. The judge starts `runner SUBJECT RESOURCES PROVIDER DESCRIPTOR` in a sandbox and
 // sends requests over the inherited socket. This process, the parent, only forks and watches: it
 // never loads the subject, so nothing a student wrote can reach the judge's socket or a later
 // request. A call gets a fresh child. Frames share one child, because an OpenGL context is dear;
@@ -35,13 +35,13 @@ Answer serve(const Request& request, const runner::SubjectFiles& files,
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::cerr << "usage: runner SUBJECT RESOURCES DESCRIPTOR\n"
+    if (argc != 5) {
+        std::cerr << "usage: runner SUBJECT RESOURCES PROVIDER DESCRIPTOR\n"
                      "Started by the grader, not by hand.\n";
         return 2;
     }
-    const runner::SubjectFiles files{argv[1], argv[2]};
-    const int judge = std::atoi(argv[3]);
+    const runner::SubjectFiles files{argv[1], argv[2], argv[3]};
+    const int judge = std::atoi(argv[4]);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     signal(SIGPIPE, SIG_IGN);
 

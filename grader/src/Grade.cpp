@@ -80,8 +80,16 @@ CheckResult checkOf(const Manifest& manifest, const Frame& frame) {
     return check;
 }
 
-void judgeFrame(const Manifest& manifest, const Frame& frame, FrameOutcome& outcome, const Picture& reference,
-                const Picture& starter, CheckResult& check) {
+/// A frame without points is shown and never scored. It counts as failed only for
+/// markUnimplemented(), which tells an unfilled region.
+Status statusOf(const Frame& frame, const FrameScore& score, const CheckResult& check) {
+    if (frame.points == 0)
+        return check.todos.empty() ? Status::pass : Status::fail;
+    return score.score >= 1 ? Status::pass : score.score > 0 ? Status::partial : Status::fail;
+}
+
+void judgeFrame(const Manifest& manifest, const Frame& frame, FrameOutcome& outcome,
+                const Picture& reference, const Picture& starter, CheckResult& check) {
     check.status = outcome.verdict.status;
     check.message = outcome.verdict.message;
     check.todos = outcome.todos;
@@ -90,13 +98,16 @@ void judgeFrame(const Manifest& manifest, const Frame& frame, FrameOutcome& outc
     FramePictures pictures;
     pictures.score = scoreFrame(outcome.picture, reference, starter, frame.tolerance);
     check.points = pictures.score.score * frame.points;
-    if (pictures.score.score >= 1)
-        check.hint.clear();
-    else {
-        check.status = pictures.score.score > 0 ? Status::partial : Status::fail;
+    check.status = statusOf(frame, pictures.score, check);
+    if (!check.full())
         check.message = explainScore(pictures.score, outcome.picture, reference);
-    }
     markUnimplemented(manifest, check);
+    if (frame.points == 0 && check.status == Status::fail)
+        check.status = Status::pass;  // the unfilled region belongs to another task
+    if (check.full()) {
+        check.message.clear();
+        check.hint.clear();
+    }
     pictures.submission = std::move(outcome.picture);
     pictures.reference = reference;
     check.pictures = std::move(pictures);

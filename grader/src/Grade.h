@@ -8,8 +8,10 @@ namespace grader {
 /// Grades: collect → stage → build → observe → judge. Reports are made elsewhere.
 class Grader {
 public:
-    Grader(const Toolchain& tools, const Sandbox& sandbox)
-        : tools_(tools), sandbox_(sandbox), builder_(tools, sandbox), observer_(tools, sandbox) {}
+    /// `provider` of OpenGL contexts: "osmesa", "egl", or "auto" for what the machine has.
+    Grader(const Toolchain& tools, const Sandbox& sandbox, const std::string& provider = "auto")
+        : tools_(tools), sandbox_(sandbox), builder_(tools, sandbox),
+          observer_(tools, sandbox, provider) {}
 
     /// One assignment of a submission. Throws Error for the grader's own faults only.
     AssignmentResult grade(const Manifest& manifest, const Submission& submission,

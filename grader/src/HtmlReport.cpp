@@ -77,6 +77,8 @@ std::string picturesOf(const CheckResult& check, const fs::path& folder) {
     html += figure(check.imagePaths.at("submission"), folder, "yours: " + check.title);
     html += figure(check.imagePaths.at("reference"), folder, "reference");
     html += figure(check.imagePaths.at("difference"), folder, "difference (white: wrong)");
+    if (check.maxPoints == 0)
+        return html + "</div><p class=\"numbers\">Shown to look at; no points depend on it.</p>\n";
     html += fmt::format(
         "</div><p class=\"numbers\">{:.3f} % of the pixels differ; mean error {:.4f} "
         "(a picture with nothing done: {:.4f}); score {:.3f}</p>\n",

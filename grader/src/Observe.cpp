@@ -57,7 +57,7 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
     confinement.limits.memoryMib = manifest.limits.memoryMib;
     confinement.limits.cpuSeconds = static_cast<int>(kJudgeSeconds);
     return sandbox_.confine(confinement, {tools_.runner().string(), build.object.string(),
-                                          tools_.kit.string()});
+                                          tools_.kit.string(), provider_});
 }
 
 std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const BuildResult& build,

@@ -35,7 +35,9 @@ struct Frames {
 /// Asks a built subject, which runs in the sandbox, what it does.
 class Observer {
 public:
-    Observer(const Toolchain& tools, const Sandbox& sandbox) : tools_(tools), sandbox_(sandbox) {}
+    /// `provider` of OpenGL contexts: "osmesa", "egl", or "auto" for what the machine has.
+    Observer(const Toolchain& tools, const Sandbox& sandbox, std::string provider)
+        : tools_(tools), sandbox_(sandbox), provider_(std::move(provider)) {}
 
     /// Runs the assignment's test program, in this trusted process's name. A fault of the grader
     /// is tried once more.
@@ -56,6 +58,7 @@ private:
 
     const Toolchain& tools_;
     const Sandbox& sandbox_;
+    std::string provider_;
 };
 
 }  // namespace grader

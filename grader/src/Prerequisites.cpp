@@ -1,6 +1,7 @@
 #include "Prerequisites.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "Error.h"
@@ -34,25 +35,10 @@ public:
             replaceBrokenFiles();
         if (!graded_.build.ok)
             return;
-        const std::set<std::string> lost = dependentTasksThatLost();
-        if (lost.empty())
-            return;
-        Stage mended = stage_;
-        std::vector<std::string> replaced;
-        bool solutionsMissing = false;
-        for (const Task& task : manifest_.tasks)
-            for (const std::string& text : task.needs)
-                if (lost.contains(task.id)) {
-                    const Need need = parseNeed(text, manifest_);
-                    if (!fs::exists(root_ / "solutions" / need.assignment))
-                        solutionsMissing = true;
-                    else if (replace(mended, need))
-                        replaced.push_back(text);
-                }
-        if (!replaced.empty())
-            keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost, replaced);
-        if (solutionsMissing)
-            skipWhatRestsOnLostTasks(lost);
+        // Tasks that need the same are graded again together; no others, or a task that is itself
+        // needed would be freed of its own mistake.
+        for (const auto& [needs, tasks] : lostTasksByNeeds())
+            mend(needs, tasks);
     }
 
 private:
@@ -87,12 +73,30 @@ private:
         graded_ = grader_.gradeStage(manifest_, stage_, seed_);
     }
 
-    std::set<std::string> dependentTasksThatLost() const {
-        std::set<std::string> lost;
+    std::map<std::vector<std::string>, std::set<std::string>> lostTasksByNeeds() const {
+        std::map<std::vector<std::string>, std::set<std::string>> lost;
         for (const CheckResult& check : graded_.checks)
-            if (!check.full() && !manifest_.task(check.task)->needs.empty() && !isBlank(check))
-                lost.insert(check.task);
+            if (const auto& needs = manifest_.task(check.task)->needs;
+                !check.full() && !needs.empty() && !isBlank(check))
+                lost[needs].insert(check.task);
         return lost;
+    }
+
+    void mend(const std::vector<std::string>& needs, const std::set<std::string>& lost) {
+        Stage mended = stage_;
+        std::vector<std::string> replaced;
+        bool solutionsMissing = false;
+        for (const std::string& text : needs) {
+            const Need need = parseNeed(text, manifest_);
+            if (!fs::exists(root_ / "solutions" / need.assignment))
+                solutionsMissing = true;
+            else if (replace(mended, need))
+                replaced.push_back(text);
+        }
+        if (!replaced.empty())
+            keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost, replaced);
+        if (solutionsMissing)
+            skipWhatRestsOnLostTasks(lost);
     }
 
     /// Its own region is unfilled: no prerequisite can change that.

@@ -1,3 +1,5 @@
+#include <cg/EglContext.h>
+#include <runner/Census.h>
 #include <runner/Harness.h>
 
 #include "subject/JudgeMain.h"
@@ -25,12 +27,26 @@ public:
         }
         harness_.clearTodos();
         protocol::ByteReader arguments(request.arguments);
-        answer.payload = found->second(arguments);
+        if (request.kind == protocol::RequestKind::draw)
+            answer.payload = draw(request, [&] { return found->second(arguments); });
+        else
+            answer.payload = found->second(arguments);
         answer.todos = harness_.reachedTodos();
         return answer;
     }
 
 private:
+    template <class Work>
+    protocol::Bytes draw(const protocol::Request& request, Work work) {
+        if (!context_)
+            context_ = cg::createEglContext(64, 64);
+        runner::setCensusContext(context_.get());
+        runner::beginCensus(request.census);
+        protocol::Bytes value = work();
+        return protocol::encodeDrawAnswer({std::move(value), runner::takeCensus().calls});
+    }
+
+    std::unique_ptr<cg::Context> context_;
     Harness harness_;
 };
 

@@ -72,6 +72,7 @@ Verdict explain(const std::string& what, const protocol::Request& request,
     switch (answer.outcome) {
         case Outcome::ok: break;
         case Outcome::missing: return {Status::notImplemented, detail};
+        case Outcome::shader: return {Status::buildError, answer.detail};
         case Outcome::exception:
             return {Status::crash, fmt::format("{} threw an exception: {}", what, detail)};
         case Outcome::crash:

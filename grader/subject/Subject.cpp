@@ -9,21 +9,27 @@ void Subject::giveUp(const Verdict& why) {
     throw SubjectFailure(why);
 }
 
-protocol::Answer Subject::askForCall(const std::string& function, protocol::Bytes arguments) {
-    if (std::find(timedOut_.begin(), timedOut_.end(), function) != timedOut_.end())
-        giveUp({Status::timeout, function + " was not called again: it ran out of time before"});
+protocol::Request Subject::makeRequest(protocol::RequestKind kind, const std::string& function,
+                                       protocol::Bytes arguments) const {
     protocol::Request request;
-    request.kind = protocol::RequestKind::call;
+    request.kind = kind;
     request.name = function;
     request.arguments = std::move(arguments);
     request.timeoutMs = callTimeoutMs;
     request.outputBytes = outputBytes;
+    return request;
+}
+
+protocol::Answer Subject::askOrGiveUp(const protocol::Request& request) {
+    if (std::find(timedOut_.begin(), timedOut_.end(), request.name) != timedOut_.end())
+        giveUp({Status::timeout,
+                request.name + " was not called again: it ran out of time before"});
     protocol::Answer answer = ask(request);
     onTodos(answer.todos);
     if (answer.outcome == protocol::Outcome::timeout)
-        timedOut_.push_back(function);
+        timedOut_.push_back(request.name);
     if (answer.outcome != protocol::Outcome::ok)
-        giveUp(explain(function, request, answer));
+        giveUp(explain(request.name, request, answer));
     return answer;
 }
 

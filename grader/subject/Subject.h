@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/DrawCall.h"
 #include "protocol/Message.h"
 #include "protocol/Value.h"
 #include "subject/Status.h"
@@ -18,6 +19,15 @@ struct SubjectFailure : std::runtime_error {
     Verdict verdict;
 };
 
+using Draw = protocol::DrawCall;
+
+/// A value, and the draw calls that were made on the way to it, in their order.
+template <class R>
+struct Census {
+    R result;
+    std::vector<Draw> draws;
+};
+
 /// The judge's side of a student's code. A test reads as if the functions were local.
 class Subject {
 public:
@@ -26,15 +36,40 @@ public:
     /// Sends one request and returns what became of it; never throws for the student's faults.
     virtual protocol::Answer ask(protocol::Request request) = 0;
 
-    /// Calls a function of the harness. Throws SubjectFailure when no value of type R comes back.
+    /// Calls a function of the harness, in a process of its own. Throws SubjectFailure when no
+    /// value of type R comes back.
     template <class R, class... A>
     R call(const std::string& function, const A&... arguments) {
-        const protocol::Answer answer = askForCall(function, protocol::encode(arguments...));
-        try {
-            return protocol::decode<R>(answer.payload);
-        } catch (const protocol::ProtocolError& error) {
-            giveUp({Status::graderError, function + ": " + error.what()});
-        }
+        return decodeOr<R>(function, [&] {
+            return askOrGiveUp(makeRequest(protocol::RequestKind::call, function,
+                                           protocol::encode(arguments...)))
+                .payload;
+        });
+    }
+
+    /// The same for a function that needs an OpenGL context: it runs in the drawing process.
+    template <class R, class... A>
+    R shade(const std::string& function, const A&... arguments) {
+        return decodeOr<R>(function, [&] { return draw(function, false, arguments...).value; });
+    }
+
+    /// The same, with all draw calls made meanwhile.
+    template <class R, class... A>
+    Census<R> census(const std::string& function, const A&... arguments) {
+        std::vector<Draw> draws;
+        R result = decodeOr<R>(function, [&] {
+            auto answer = draw(function, true, arguments...);
+            draws = std::move(answer.calls);
+            return answer.value;
+        });
+        return {std::move(result), std::move(draws)};
+    }
+
+    /// shade() for a test that has its own opinion of failures: nothing is thrown or recorded.
+    template <class... A>
+    protocol::Answer tryShade(const std::string& function, const A&... arguments) {
+        return ask(makeRequest(protocol::RequestKind::draw, function,
+                               protocol::encode(arguments...)));
     }
 
     /// Told the ids of unfilled regions that a request reached.
@@ -47,7 +82,27 @@ public:
 
 private:
     [[noreturn]] void giveUp(const Verdict& why);
-    protocol::Answer askForCall(const std::string& function, protocol::Bytes arguments);
+    protocol::Request makeRequest(protocol::RequestKind kind, const std::string& function,
+                                  protocol::Bytes arguments) const;
+    protocol::Answer askOrGiveUp(const protocol::Request& request);
+
+    template <class... A>
+    protocol::DrawAnswer draw(const std::string& function, bool census, const A&... arguments) {
+        auto request = makeRequest(protocol::RequestKind::draw, function,
+                                   protocol::encode(arguments...));
+        request.census = census;
+        return protocol::decodeDrawAnswer(askOrGiveUp(request).payload);
+    }
+
+    template <class R, class GetBytes>
+    R decodeOr(const std::string& function, GetBytes getBytes) {
+        try {
+            const protocol::Bytes bytes = getBytes();
+            return protocol::decode<R>(bytes);
+        } catch (const protocol::ProtocolError& error) {
+            giveUp({Status::graderError, function + ": " + error.what()});
+        }
+    }
 
     std::vector<std::string> timedOut_;  ///< not called again: one endless loop costs one time-out
 };

@@ -58,6 +58,7 @@ public:
         checkTexts(manifest);
         checkStarter(manifest);
         checkSolution(manifest);
+        checkVariants(manifest);
         checkMistakes(manifest);
         checkReferences(manifest);
         std::cout << fmt::format("{}: {}\n", id,
@@ -134,6 +135,32 @@ private:
                         check.message);
     }
 
+    /// Other right programs, in solutions/NN/variants/NAME/: laid over the solution, each earns
+    /// everything.
+    void checkVariants(const Manifest& manifest) {
+        const fs::path folder = root_ / "solutions" / manifest.id / "variants";
+        if (!fs::is_directory(folder))
+            return;
+        for (const auto& variant : fs::directory_iterator(folder)) {
+            Stage stage = grader_.stageOf(manifest, "solutions");
+            for (const auto& entry : fs::recursive_directory_iterator(variant)) {
+                if (!entry.is_regular_file())
+                    continue;
+                const std::string name = entry.path().lexically_relative(variant).string();
+                StagedFile* file = stage.find(name);
+                if (!file || file->role == Role::provided)
+                    finding("variant {}: {} is no submitted file", entry.path().string(), name);
+                else
+                    file->content = readFile(entry.path());
+            }
+            for (const CheckResult& check : grader_.gradeStage(manifest, stage, kPublishedSeed).checks)
+                if (!check.full())
+                    finding("variant {}: {} is {}: {}",
+                            variant.path().filename().string(), check.id,
+                            judge::toString(check.status), check.message);
+        }
+    }
+
     /// Each mistake loses points in exactly the tasks that its entry names, its own among them.
     void checkMistakes(const Manifest& manifest) {
         std::map<std::string, int> perTask;
@@ -160,7 +187,8 @@ private:
             ++perTask[mistake.region];
             if (first)
                 for (const CheckResult& check : result.checks)
-                    undetected.insert(check.id);
+                    if (check.maxPoints > 0)
+                        undetected.insert(check.id);
             first = false;
             for (const CheckResult& check : result.checks)
                 if (!check.full())

@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> assignments;
-    std::string submission, json, report;
+    std::string submission, json, report, context = "auto";
     std::uint64_t seed = 1;
     bool open = false, noSandbox = false;
 };
@@ -86,7 +86,7 @@ int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Selection selection = select(tools, options);
     const auto sandbox = options.noSandbox ? makePlainProcess() : chooseSandbox();
-    const Grader grader(tools, *sandbox);
+    const Grader grader(tools, *sandbox, options.context);
 
     const TerminalStyle style{worthPainting(), 80};
     const bool quiet = options.json == "-";
@@ -143,6 +143,10 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
         ->capture_default_str();
     command->add_flag("--open", options.open,
                       "write the report (default folder: report/) and open it in the browser");
+    command->add_option("--context", options.context, "what draws the frames: auto takes osmesa, "
+                                                      "or egl where there is no OSMesa")
+        ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
+        ->capture_default_str();
     command->add_flag("--no-sandbox", options.noSandbox,
                       "run the code as a plain process with limits");
     command->callback([&exitCode] { exitCode = gradeAll(options); });

@@ -1,0 +1,298 @@
+// What confined programs can and cannot do, tried for real where the machine allows it.
+
+#include "Sandbox.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+
+#include "Process.h"
+#include "testing/Tree.h"
+
+namespace {
+
+using namespace grader;
+using testing::AllOf;
+using testing::Contains;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing_help::Tree;
+using Command = std::vector<std::string>;
+
+/// Whether `part` stands in `command` as it is, one word after the other.
+bool follows(const Command& command, const Command& part) {
+    return std::search(command.begin(), command.end(), part.begin(), part.end()) != command.end();
+}
+
+Confinement someConfinement() {
+    Confinement confinement;
+    confinement.readable = {"/kit"};
+    confinement.writable = {"/out"};
+    confinement.workingFolder = "/kit/stage";
+    confinement.limits = {7, 300, 20, 16, 40};
+    return confinement;
+}
+
+TEST(SandboxCommand, OfBubblewrapHidesEverythingThatIsNotNamed) {
+    const Command command = makeBubblewrap()->confine(someConfinement(), {"runner", "a b"});
+    EXPECT_EQ(makeBubblewrap()->name(), "bubblewrap");
+    EXPECT_EQ(makeBubblewrap()->weakness(), "");
+    EXPECT_TRUE(follows(command, {"env", "-i"}));
+    for (const char* flag : {"--unshare-all", "--die-with-parent", "--new-session", "--as-pid-1"})
+        EXPECT_THAT(command, Contains(flag));
+    EXPECT_THAT(command, Not(Contains("--share-net")));
+    EXPECT_TRUE(follows(command, {"--cap-drop", "ALL"}));
+    EXPECT_TRUE(follows(command, {"--tmpfs", "/tmp"}));
+    EXPECT_TRUE(follows(command, {"--ro-bind", "/usr", "/usr"}));
+    EXPECT_TRUE(follows(command, {"--ro-bind", "/kit", "/kit"}));
+    EXPECT_TRUE(follows(command, {"--bind", "/out", "/out"}));
+    EXPECT_TRUE(follows(command, {"--remount-ro", "/"}));
+    EXPECT_TRUE(follows(command, {"--chdir", "/kit/stage"}));
+    EXPECT_EQ(std::count(command.begin(), command.end(), "--bind"), 1) << "one folder is writable";
+    EXPECT_TRUE(follows(command, {"runner", "a b"}));
+    EXPECT_EQ(command.back(), "a b");
+}
+
+TEST(SandboxCommand, BothCarryTheLimits) {
+    for (const auto& sandbox : {makeBubblewrap(), makePlainProcess()}) {
+        const Command command = sandbox->confine(someConfinement(), {"runner"});
+        const auto limits = std::find(command.begin(), command.end(), "prlimit");
+        ASSERT_NE(limits, command.end());
+        const Command after(limits, command.end());
+        for (const char* limit :
+             {"--cpu=7", "--as=314572800", "--fsize=16777216", "--nofile=40", "--core=0"})
+            EXPECT_THAT(after, Contains(limit)) << sandbox->name();
+        EXPECT_TRUE(follows(after, {"--", "runner"}));
+    }
+}
+
+TEST(SandboxCommand, OfRootBecomesSomebodyElseFirst) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can become another user";
+    for (const auto& sandbox : {makeBubblewrap(), makePlainProcess()}) {
+        const Command command = sandbox->confine(someConfinement(), {"runner"});
+        const auto user = std::find(command.begin(), command.end(), "setpriv");
+        const auto first = std::find_if(command.begin(), command.end(), [](const auto& word) {
+            return word == "bwrap" || word == "prlimit";
+        });
+        EXPECT_LT(user, first) << sandbox->name();
+        EXPECT_TRUE(follows(command, {"--reuid", "65534", "--regid", "65534", "--clear-groups"}));
+        EXPECT_THAT(command, Contains("--nproc=20"));
+    }
+}
+
+TEST(SandboxCommand, ThePlainOneSaysWhatItDoesNotProtectFrom) {
+    EXPECT_EQ(makePlainProcess()->name(), "plain");
+    EXPECT_THAT(makePlainProcess()->weakness(), HasSubstr("grade only code that you trust"));
+}
+
+/// The probe in a folder that the sandbox may read, and one that it may write.
+class Confined : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        sandbox_ = std::string(GetParam()) == "plain" ? makePlainProcess() : makeBubblewrap();
+        fs::create_directories(tree_ / "in");
+        fs::create_directories(tree_ / "out");
+        fs::copy_file(SANDBOX_PROBE, tree_ / "in/probe");
+        shareWithSandbox(tree_ / "in", false);
+        shareWithSandbox(tree_ / "out", true);
+        fs::permissions(tree_ / "in/probe", fs::perms(0755));
+        confinement_.readable = {tree_ / "in"};
+        confinement_.writable = {tree_ / "out"};
+        confinement_.workingFolder = tree_ / "in";
+        if (const auto tried = confined({"true"}); !tried.succeeded())
+            GTEST_SKIP() << GetParam() << " does not run on this machine: " << tried.output;
+    }
+    bool isBubblewrap() const { return sandbox_->name() == "bubblewrap"; }
+    ProcessResult confined(const Command& command, double seconds = 20) const {
+        return run(sandbox_->confine(confinement_, command), seconds);
+    }
+    /// What the probe printed.
+    std::string attempt(const std::string& what, const std::string& argument = "") const {
+        return confined({(tree_ / "in/probe").string(), what, argument}).output;
+    }
+
+    Tree tree_;
+    std::unique_ptr<Sandbox> sandbox_;
+    Confinement confinement_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Sandbox, Confined, testing::Values("bubblewrap", "plain"),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST_P(Confined, RunsInItsWorkingFolderAndReadsAndWritesWhatIsNamed) {
+    EXPECT_EQ(confined({"pwd"}).output, (tree_ / "in").string() + "\n");
+    EXPECT_EQ(attempt("read", (tree_ / "in/probe").string()), "read: yes\n");
+    EXPECT_EQ(attempt("write", (tree_ / "out").string()), "write: yes\n");
+    EXPECT_TRUE(fs::exists(tree_ / "out/written"));
+}
+
+TEST_P(Confined, RootRunsItAsNobody) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can become another user";
+    EXPECT_EQ(attempt("user"), "uid 65534 gid 65534\n");
+    attempt("write", (tree_ / "out").string());
+    struct stat status {};
+    ASSERT_EQ(stat((tree_ / "out/written").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 65534u) << "outside the sandbox too";
+}
+
+TEST_P(Confined, FilesThatOnlyRootMayReadStayUnread) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root can own such a file";
+    writeFile(tree_ / "in/secret", "reference");
+    fs::permissions(tree_ / "in/secret", fs::perms(0600));
+    EXPECT_EQ(attempt("read", (tree_ / "in/secret").string()), "read: Permission denied\n");
+}
+
+TEST_P(Confined, WhatIsReadableIsNotWritable) {
+    EXPECT_THAT(attempt("write", (tree_ / "in").string()),
+                isBubblewrap() ? HasSubstr("Read-only file system")
+                               : HasSubstr(geteuid() == 0 ? "Permission denied" : "write: "));
+}
+
+TEST_P(Confined, TheEnvironmentIsCleared) {
+    setenv("SECRET_OF_THE_GRADER", "token", 1);
+    const std::string seen = attempt("environment");
+    unsetenv("SECRET_OF_THE_GRADER");
+    EXPECT_THAT(seen, Not(HasSubstr("SECRET_OF_THE_GRADER")));
+    EXPECT_THAT(seen, AllOf(HasSubstr("PATH=/usr/bin:/bin\n"), HasSubstr("LANG=C.UTF-8\n"),
+                            HasSubstr("LP_NUM_THREADS=0\n")));
+}
+
+TEST_P(Confined, TheLimitOfProcessesHolds) {
+    const std::string seen = attempt("fork", "200");
+    if (isBubblewrap() || geteuid() == 0) {
+        EXPECT_THAT(seen, HasSubstr("failure: Resource temporarily unavailable"));
+        int started = 200;
+        ASSERT_EQ(std::sscanf(seen.c_str(), "started: %d", &started), 1) << seen;
+        EXPECT_LE(started, confinement_.limits.processes);
+        EXPECT_GT(started, 8) << "the runner needs some";
+    }
+}
+
+TEST_P(Confined, TheLimitOfMemoryHolds) {
+    confinement_.limits.memoryMib = 256;
+    EXPECT_EQ(attempt("memory", "64"), "memory: yes\n");
+    EXPECT_EQ(attempt("memory", "512"), "memory: Cannot allocate memory\n");
+}
+
+TEST_P(Confined, TheLimitOfFilesHolds) {
+    confinement_.limits.fileMib = 2;
+    EXPECT_EQ(attempt("large-file", (tree_ / "out").string()), "written: 2\n");
+}
+
+TEST_P(Confined, TheLimitOfCpuTimeHolds) {
+    confinement_.limits.cpuSeconds = 1;
+    const auto start = std::chrono::steady_clock::now();
+    const ProcessResult ended = confined({(tree_ / "in/probe").string(), "spin"}, 20);
+    EXPECT_FALSE(ended.succeeded());
+    EXPECT_FALSE(ended.timedOut);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+}
+
+/// Processes whose command line is exactly these words, each ended by a zero byte.
+int runningLike(const std::string& commandLine) {
+    int found = 0;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+        found += std::string(std::istreambuf_iterator<char>(file), {}) == commandLine;
+    }
+    return found;
+}
+
+TEST_P(Confined, ATimeoutLeavesNothingRunning) {
+    const std::string seconds = "77." + std::to_string(getpid());
+    // A plain process that leaves its group gets away; in a namespace of its own there is no away.
+    const std::string leaving = isBubblewrap() ? "setsid sleep " : "sleep ";
+    const auto start = std::chrono::steady_clock::now();
+    const auto ended = confined({"sh", "-c", leaving + seconds + " & sleep " + seconds}, 0.5);
+    EXPECT_TRUE(ended.timedOut);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    const std::string commandLine = std::string("sleep") + '\0' + seconds + '\0';
+    for (int i = 0; i < 100 && runningLike(commandLine) > 0; ++i)
+        usleep(10000);
+    EXPECT_EQ(runningLike(commandLine), 0);
+}
+
+/// What only bubblewrap keeps from a program; a plain process has what its user has.
+class Hidden : public Confined {};
+
+INSTANTIATE_TEST_SUITE_P(Sandbox, Hidden, testing::Values("bubblewrap"),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST_P(Hidden, NothingElseIsVisible) {
+    const Tree other;
+    other.write("solution.cpp", "solved");
+    fs::permissions(other.path(), fs::perms(0755));
+    EXPECT_THAT(attempt("read", (other / "solution.cpp").string()), HasSubstr("No such file"));
+    EXPECT_THAT(attempt("read", "/etc/passwd"), HasSubstr("No such file"));
+    EXPECT_THAT(confined({"ls", "/"}).output, Not(ContainsRegex("(home|root|var|srv|work)\n")));
+    EXPECT_THAT(attempt("write", "/"), HasSubstr("Read-only"));
+}
+
+TEST_P(Hidden, TmpIsItsOwn) {
+    EXPECT_EQ(attempt("write", "/tmp"), "write: yes\n");
+    EXPECT_FALSE(fs::exists("/tmp/written"));
+    EXPECT_EQ(confined({"ls", "-A", "/tmp"}).output, tree_.path().filename().string() + "\n");
+}
+
+TEST_P(Hidden, OtherProcessesAreNotSeen) {
+    const std::string seen = confined({"sh", "-c", "ls /proc | grep -c '^[0-9]'"}).output;
+    EXPECT_LE(std::stoi(seen), 4) << "bwrap, sh, ls, grep and nothing else";
+    EXPECT_GE(std::stoi(seen), 2);
+}
+
+TEST_P(Hidden, ThereIsNoNetwork) {
+    const int server = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in here{};
+    here.sin_family = AF_INET;
+    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof here;
+    ASSERT_EQ(bind(server, reinterpret_cast<sockaddr*>(&here), size), 0);
+    ASSERT_EQ(listen(server, 4), 0);
+    ASSERT_EQ(getsockname(server, reinterpret_cast<sockaddr*>(&here), &size), 0);
+    const std::string port = std::to_string(ntohs(here.sin_port));
+    EXPECT_EQ(run({SANDBOX_PROBE, "connect", port}, 10).output, "connect: yes\n") << "outside";
+    EXPECT_THAT(attempt("connect", port), HasSubstr("refused")) << "its own loopback is empty";
+    close(server);
+}
+
+TEST(ChooseSandbox, TakesBubblewrapWhereItRuns) {
+    const auto chosen = chooseSandbox();
+    Confinement nothing;
+    nothing.workingFolder = "/";
+    EXPECT_TRUE(run(chosen->confine(nothing, {"true"}), 10).succeeded());
+    const bool works = run(makeBubblewrap()->confine(nothing, {"true"}), 10).succeeded();
+    EXPECT_EQ(chosen->name(), works ? "bubblewrap" : "plain");
+}
+
+TEST(ShareWithSandbox, GivesTheFolderAndAllInItToItsUser) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root gives files away";
+    const Tree tree;
+    const fs::path file = tree.write("stage/deep/file", "x");
+    const auto statusOf = [](const fs::path& path) {
+        struct stat status {};
+        stat(path.c_str(), &status);
+        return status;
+    };
+    shareWithSandbox(tree / "stage", false);
+    EXPECT_EQ(statusOf(file).st_uid, 0u) << "the sandbox's user reads it and cannot open it up";
+    EXPECT_EQ(statusOf(file).st_gid, kSandboxUser);
+    EXPECT_EQ(statusOf(file).st_mode & 0777, 0640u);
+    EXPECT_EQ(statusOf(tree / "stage").st_mode & 0777, 0750u);
+    shareWithSandbox(tree / "stage", true);
+    EXPECT_EQ(statusOf(tree / "stage").st_uid, kSandboxUser);
+}
+
+}  // namespace

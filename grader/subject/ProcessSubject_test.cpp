@@ -1,0 +1,134 @@
+// The judge's side of the wall, against runners that behave and runners that do not.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "subject/Subject.h"
+
+namespace {
+
+using namespace judge;
+using protocol::Answer;
+using protocol::Outcome;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::unique_ptr<Subject> fake(const std::string& mode) {
+    return startSubject({FAKE_RUNNER, mode});
+}
+
+Answer answerOf(const std::string& mode, std::uint32_t timeoutMs = 2000) {
+    protocol::Request request;
+    request.name = "turn";
+    request.timeoutMs = timeoutMs;
+    return fake(mode)->ask(request);
+}
+
+TEST(ProcessSubject, AnHonestRunnerGivesItsValueAndItsUnfilledRegions) {
+    const auto subject = fake("honest");
+    std::vector<std::string> todos;
+    subject->onTodos = [&](const std::vector<std::string>& ids) { todos = ids; };
+    EXPECT_EQ(subject->call<int>("turn", 1.0f), 42);
+    EXPECT_THAT(todos, ElementsAre("rotation"));
+    EXPECT_EQ(subject->call<int>("turn"), 42) << "one runner serves many requests";
+}
+
+TEST(ProcessSubject, AnotherNonceIsTampering) {
+    const Answer answer = answerOf("wrong-nonce");
+    EXPECT_EQ(answer.outcome, Outcome::tampered);
+    EXPECT_TRUE(answer.payload.empty()) << "nothing of a forged answer is used";
+}
+
+TEST(ProcessSubject, BytesThatAreNoAnswerAreTampering) {
+    EXPECT_EQ(answerOf("garbage").outcome, Outcome::tampered);
+    EXPECT_EQ(answerOf("short-body").outcome, Outcome::tampered);
+    EXPECT_EQ(answerOf("huge").outcome, Outcome::tampered);
+}
+
+TEST(ProcessSubject, AnAnswerTooManyIsNeverTakenForTheNext) {
+    const auto subject = fake("answers-twice");
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::ok);
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::tampered);
+}
+
+TEST(ProcessSubject, ARunnerThatDiesIsTheGradersFaultAndItsErrorsAreKept) {
+    const Answer answer = answerOf("dies");
+    EXPECT_EQ(answer.outcome, Outcome::faulty);
+    EXPECT_EQ(answer.detail, "the runner ended before it answered: libOSMesa is not here");
+}
+
+TEST(ProcessSubject, ARunnerThatCannotBeStartedIsNamed) {
+    const Answer answer = startSubject({"/nonexistent/runner"})->ask({});
+    EXPECT_EQ(answer.outcome, Outcome::faulty);
+    EXPECT_THAT(answer.detail, HasSubstr("cannot start /nonexistent/runner: No such file"));
+}
+
+// The judge waits three seconds longer than the runner, which keeps the time itself.
+TEST(ProcessSubject, ARunnerThatHangsIsLeftAlone) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(answerOf("hangs", 50).outcome, Outcome::timeout);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(ProcessSubject, ARunnerThatEndedIsStartedAgain) {
+    const auto subject = fake("answers-once");
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::ok);
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::faulty);
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::ok);
+}
+
+TEST(ProcessSubject, TheRunnerEndsWithItsSubject) {
+    int process = 0;
+    {
+        const auto subject = fake("process-id");
+        process = subject->call<int>("turn");
+        EXPECT_EQ(kill(process, 0), 0);
+    }
+    EXPECT_NE(kill(process, 0), 0);
+}
+
+TEST(SubjectCall, AFailureIsExplainedBeforeItIsThrown) {
+    const auto subject = fake("crash");
+    std::string told;
+    subject->onFailure = [&](const Verdict& verdict) { told = verdict.message; };
+    try {
+        subject->call<int>("turn");
+        ADD_FAILURE() << "no value, yet no failure";
+    } catch (const SubjectFailure& failure) {
+        EXPECT_EQ(failure.verdict.status, Status::crash);
+        EXPECT_EQ(failure.verdict.message, told);
+    }
+    EXPECT_THAT(told, HasSubstr("turn crashed in turn, Camera.cpp:12 with SIGSEGV"));
+}
+
+TEST(SubjectCall, AValueOfAnotherTypeIsTheGradersFault) {
+    try {
+        fake("no-value")->call<int>("turn");
+        ADD_FAILURE() << "a bool was taken for an int";
+    } catch (const SubjectFailure& failure) {
+        EXPECT_EQ(failure.verdict.status, Status::graderError);
+        EXPECT_THAT(failure.verdict.message, HasSubstr("turn: expected int"));
+    }
+}
+
+TEST(SubjectCall, AnEndlessLoopCostsOneTimeoutOnly) {
+    const auto subject = fake("timeout-of-one");
+    const auto messageOf = [&](const std::string& function) -> std::string {
+        try {
+            subject->call<int>(function);
+        } catch (const SubjectFailure& failure) {
+            EXPECT_EQ(failure.verdict.status, Status::timeout);
+            return failure.what();
+        }
+        return "a value";
+    };
+    EXPECT_THAT(messageOf("slow"), HasSubstr("did not finish within 2 s"));
+    EXPECT_THAT(messageOf("slow"), HasSubstr("not called again"));
+    EXPECT_EQ(messageOf("quick"), "a value");
+}
+
+}  // namespace
