@@ -5,6 +5,7 @@
 #include <cg/Error.h>
 #include <cg/GlTest.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace {
