@@ -1,0 +1,35 @@
+# One program with the unit tests of this folder, which stand beside what they test. Helpers are
+# programs that a test starts: a runner that answers as it is told, and one that tries its sandbox.
+add_executable(grader_fake_runner testing/FakeRunner.cpp)
+target_link_libraries(grader_fake_runner PRIVATE protocol course_warnings)
+add_executable(grader_sandbox_probe testing/SandboxProbe.cpp)
+# Sanitizers take more memory than the limits under test allow.
+target_compile_options(grader_sandbox_probe PRIVATE -fno-sanitize=all)
+target_link_options(grader_sandbox_probe PRIVATE -fno-sanitize=all)
+target_link_libraries(grader_sandbox_probe PRIVATE course_warnings)
+
+function(grader_add_unit_tests name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+    add_executable(${name} ${arg_SOURCES})
+    target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${name} PRIVATE
+        ${arg_LINK} GTest::gmock GTest::gtest_main course_warnings)
+    target_compile_definitions(${name} PRIVATE
+        FAKE_RUNNER="$<TARGET_FILE:grader_fake_runner>"
+        SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>")
+    add_dependencies(${name} grader_fake_runner grader_sandbox_probe)
+    gtest_discover_tests(${name} TEST_PREFIX grader.
+        PROPERTIES TIMEOUT 60 FAIL_REGULAR_EXPRESSION "Running 0 tests")
+endfunction()
+
+grader_add_unit_tests(grader_unit_tests
+    SOURCES
+        protocol/Message_test.cpp protocol/Value_test.cpp
+        runner/SeededValues_test.cpp
+        subject/Judge.cpp subject/Judge_test.cpp subject/ProcessSubject_test.cpp
+        subject/Status_test.cpp
+        src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp src/HtmlReport_test.cpp
+        src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
+        src/Result_test.cpp src/Sandbox_test.cpp src/TerminalReport_test.cpp
+        src/compare/FrameScore_test.cpp
+    LINK grader_core)
