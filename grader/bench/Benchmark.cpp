@@ -53,8 +53,11 @@ void mustRun(const std::vector<std::string>& command, int worstExitCode = 0) {
 class Bench {
 public:
     Bench()
-        : tools_(Toolchain::load()), manifest_(loadAssignment(tools_.root, kAssignment)),
-          plain_(makePlainProcess()), observer_(tools_, *plain_, "auto"), grader_(tools_, *plain_) {
+        : tools_(Toolchain::load()),
+          manifest_(loadAssignment(tools_.root, kAssignment)),
+          plain_(makePlainProcess()),
+          observer_(tools_, *plain_, "auto"),
+          grader_(tools_, *plain_) {
         submission_ = work_.path() / "submission";
         fs::copy(tools_.root / "solutions", submission_, fs::copy_options::recursive);
         stage_ = grader_.stageOf(manifest_, "solutions");
@@ -62,7 +65,8 @@ public:
 
     /// An edit that changes nothing but the text.
     void edit() {
-        const std::string text = stage_.find(kEdited)->content + fmt::format("// edit {}\n", ++edits_);
+        const std::string text =
+            stage_.find(kEdited)->content + fmt::format("// edit {}\n", ++edits_);
         writeFile(submission_ / kAssignment / kEdited, text);
     }
 
@@ -102,9 +106,9 @@ public:
     }
 
     void grade() {
-        mustRun({(tools_.root / "grade").string(), kAssignment, "--submission",
-                 submission_.string()},
-                1);
+        mustRun(
+            {(tools_.root / "grade").string(), kAssignment, "--submission", submission_.string()},
+            1);
     }
 
     void gradeUncached() {
@@ -128,10 +132,11 @@ public:
         fs::create_directories(frames);
         mustRun({"sh", "-c", "cd " + folder.string() + " && build/render " + frames});
         for (const Frame& frame : manifest_.frames)
-            mustRun({"idiff", "-fail", "0.016", "-failpercent", "0.05",
-                     frames + "/" + frame.id + ".png",
-                     (tools_.root / "reference_images" / kAssignment / (frame.id + ".png")).string()},
-                    2);
+            mustRun(
+                {"idiff", "-fail", "0.016", "-failpercent", "0.05",
+                 frames + "/" + frame.id + ".png",
+                 (tools_.root / "reference_images" / kAssignment / (frame.id + ".png")).string()},
+                2);
     }
 
 private:
@@ -151,7 +156,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-double medianOf(const std::vector<Cost>& costs, double Cost::* member) {
+double medianOf(const std::vector<Cost>& costs, double Cost::*member) {
     std::vector<double> values;
     for (const Cost& cost : costs)
         values.push_back(cost.*member);
@@ -159,7 +164,7 @@ double medianOf(const std::vector<Cost>& costs, double Cost::* member) {
 }
 
 double medianRatio(const std::vector<Cost>& over, const std::vector<Cost>& under,
-                   double Cost::* member) {
+                   double Cost::*member) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < over.size(); ++i)
         ratios.push_back(over[i].*member / under[i].*member);
@@ -208,10 +213,10 @@ int main(int argc, char** argv) try {
     fmt::print("| wall, (b) nothing cached / (a) | {:.2f} |\n",
                medianRatio(uncached, bare, &Cost::wall));
     if (withIdiff)
-        fmt::print("| CPU, (c) / (b) after an edit | {:.1f} |\n| CPU, (c) / (b) nothing cached | "
-                   "{:.1f} |\n",
-                   medianRatio(usual, edited, &Cost::cpu),
-                   medianRatio(usual, uncached, &Cost::cpu));
+        fmt::print(
+            "| CPU, (c) / (b) after an edit | {:.1f} |\n| CPU, (c) / (b) nothing cached | "
+            "{:.1f} |\n",
+            medianRatio(usual, edited, &Cost::cpu), medianRatio(usual, uncached, &Cost::cpu));
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "benchmark: " << error.what() << "\n";

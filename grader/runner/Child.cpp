@@ -9,7 +9,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "runner/CrashReport.h"
 
@@ -62,11 +66,34 @@ std::string trimmed(const std::string& text) {
     return end == std::string::npos ? "" : text.substr(0, end + 1);
 }
 
-/// Only a whole pid namespace can be swept; elsewhere the process group must do.
+/// Children that are meant to live.
+std::set<pid_t> living;
+
+/// Processes whose parent this process is, or became when theirs died (see main: subreaper).
+std::vector<pid_t> childrenOfThisProcess() {
+    std::ifstream file("/proc/self/task/" + std::to_string(getpid()) + "/children");
+    return {std::istream_iterator<pid_t>(file), std::istream_iterator<pid_t>()};
+}
+
+/// Kills what `group` left behind: its process group, then all that was orphaned, until nothing but
+/// the living is left.
 void killStrays(pid_t group) {
+    constexpr int kMostRounds = 200;
     kill(-group, SIGKILL);
-    if (getpid() == 1)
-        kill(-1, SIGKILL);
+    if (getpid() == 1 && living.empty())
+        kill(-1, SIGKILL);  // a pid namespace of our own: all at once
+    for (int round = 0; round < kMostRounds; ++round) {
+        bool any = false;
+        for (const pid_t pid : childrenOfThisProcess()) {
+            if (living.contains(pid))
+                continue;
+            any = true;
+            kill(pid, SIGKILL);
+            waitpid(pid, nullptr, 0);
+        }
+        if (!any)
+            return;
+    }
 }
 
 }  // namespace
@@ -90,6 +117,7 @@ Child::Child(const SubjectFiles& files) : files_(files) {
         throw std::system_error(failure, std::generic_category(), "cannot fork");
     }
     setpgid(pid_, pid_);
+    living.insert(pid_);
 }
 
 Child::~Child() {
@@ -107,8 +135,12 @@ Answer Child::ask(const Request& request) {
     Bytes body;
     Answer answer;
     switch (await(request, body)) {
-        case Event::answered: answer = explainAnswer(body); break;
-        case Event::closed: answer = explainEnd(stop(true)); break;
+        case Event::answered:
+            answer = explainAnswer(body);
+            break;
+        case Event::closed:
+            answer = explainEnd(stop(true));
+            break;
         case Event::late:
             stop(false);
             answer.outcome = Outcome::timeout;
@@ -142,10 +174,16 @@ Child::Event Child::await(const Request& request, Bytes& body) {
             continue;
         switch (protocol::readMessage(channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
                                       static_cast<int>(left), body)) {
-            case protocol::ReadStatus::ok: break;
-            case protocol::ReadStatus::closed: drainOutput(); return Event::closed;
-            case protocol::ReadStatus::late: return Event::late;
-            case protocol::ReadStatus::malformed: body.clear(); break;
+            case protocol::ReadStatus::ok:
+                break;
+            case protocol::ReadStatus::closed:
+                drainOutput();
+                return Event::closed;
+            case protocol::ReadStatus::late:
+                return Event::late;
+            case protocol::ReadStatus::malformed:
+                body.clear();
+                break;
         }
         drainOutput();
         return printedBytes_ > request.outputBytes ? Event::flooded : Event::answered;
@@ -168,22 +206,21 @@ void Child::drainOutput() {
 int Child::stop(bool letItEnd) {
     if (pid_ <= 0)
         return 0;
+    const pid_t pid = std::exchange(pid_, -1);
     int status = 0;
+    bool ended = false;
     // A child that closed its channel is ending, or plays dead: it gets a moment, not more.
-    for (int waited = 0; letItEnd && waited < 200; ++waited) {
-        if (waitpid(pid_, &status, WNOHANG) == pid_) {
-            killStrays(pid_);
-            pid_ = -1;
-            return status;
-        }
-        usleep(1000);
+    for (int waited = 0; letItEnd && !ended && waited < 200; ++waited) {
+        ended = waitpid(pid, &status, WNOHANG) == pid;
+        if (!ended)
+            usleep(1000);
     }
-    killStrays(pid_);
-    kill(pid_, SIGKILL);
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    while (waitpid(-1, nullptr, WNOHANG) > 0) {
+    if (!ended) {
+        kill(pid, SIGKILL);
+        waitpid(pid, &status, 0);
     }
+    living.erase(pid);
+    killStrays(pid);
     return status;
 }
 
@@ -219,9 +256,11 @@ Answer Child::explainEnd(int waitStatus) {
     answer.outcome = Outcome::exited;
     answer.code = WEXITSTATUS(waitStatus);
     const std::string marker = "undefined symbol: ";
-    if (const auto at = printed_.find(marker); answer.code == kLoaderFailed && at != std::string::npos) {
+    if (const auto at = printed_.find(marker);
+        answer.code == kLoaderFailed && at != std::string::npos) {
         answer.outcome = Outcome::missing;
-        answer.detail = describeMissingSymbol(files_.object, trimmed(printed_.substr(at + marker.size())));
+        answer.detail =
+            describeMissingSymbol(files_.object, trimmed(printed_.substr(at + marker.size())));
     }
     return answer;
 }

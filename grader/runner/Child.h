@@ -41,8 +41,8 @@ private:
     int channel_ = -1;
     int output_ = -1;
     int crash_ = -1;
-    std::string printed_;            ///< the first part of what the child wrote
-    std::size_t printedBytes_ = 0;   ///< all that it wrote in this request
+    std::string printed_;           ///< the first part of what the child wrote
+    std::size_t printedBytes_ = 0;  ///< all that it wrote in this request
 };
 
 }  // namespace runner

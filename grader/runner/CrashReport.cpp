@@ -33,9 +33,8 @@ void onFatalSignal(int signal) {
         if (address >= objectBase && address < objectEnd)
             offsets[kept++] = address - objectBase;
     }
-    if (kept > 0)
-        [[maybe_unused]] const auto written =
-            write(reportDescriptor, offsets, kept * sizeof offsets[0]);
+    if (kept > 0) [[maybe_unused]]
+        const auto written = write(reportDescriptor, offsets, kept * sizeof offsets[0]);
     ::signal(signal, SIG_DFL);
     raise(signal);
 }

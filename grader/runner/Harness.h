@@ -56,20 +56,19 @@ private:
     static Function wrap(std::function<R(A...)> callable) {
         return [callable](protocol::ByteReader& in) {
             // Braces fix the order of evaluation.
-            std::tuple<std::decay_t<A>...> arguments{
-                protocol::Codec<std::decay_t<A>>::read(in)...};
+            std::tuple<std::decay_t<A>...> arguments{protocol::Codec<std::decay_t<A>>::read(in)...};
             in.end();
             return protocol::encode(std::apply(callable, arguments));
         };
     }
 };
 
-#define CG_HARNESS(harness)                                   \
-    static void cgDescribeHarness(Harness& harness);          \
-    extern "C" void cg_register_harness(Harness& harness) {   \
-        harness.reachedTodos = &cg::reachedTodos;             \
-        harness.clearTodos = &cg::clearTodos;                 \
-        harness.addResourceFolder = &cg::addResourceFolder;   \
-        cgDescribeHarness(harness);                           \
-    }                                                         \
+#define CG_HARNESS(harness)                                 \
+    static void cgDescribeHarness(Harness& harness);        \
+    extern "C" void cg_register_harness(Harness& harness) { \
+        harness.reachedTodos = &cg::reachedTodos;           \
+        harness.clearTodos = &cg::clearTodos;               \
+        harness.addResourceFolder = &cg::addResourceFolder; \
+        cgDescribeHarness(harness);                         \
+    }                                                       \
     static void cgDescribeHarness(Harness& harness)

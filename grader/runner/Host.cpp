@@ -91,10 +91,18 @@ Answer Host::perform(const Request& request) {
     Answer answer;
     try {
         switch (request.kind) {
-            case RequestKind::call: answer.payload = call(request); break;
-            case RequestKind::draw: answer.payload = draw(request); break;
-            case RequestKind::frame: answer.payload = drawFrame(request); break;
-            case RequestKind::graphics: answer.payload = describeGraphics(); break;
+            case RequestKind::call:
+                answer.payload = call(request);
+                break;
+            case RequestKind::draw:
+                answer.payload = draw(request);
+                break;
+            case RequestKind::frame:
+                answer.payload = drawFrame(request);
+                break;
+            case RequestKind::graphics:
+                answer.payload = describeGraphics();
+                break;
         }
     } catch (const Refusal& refusal) {
         answer.outcome = refusal.outcome;

@@ -1,8 +1,8 @@
 // The runner: a small sandboxed program that hosts a student's code.
 //
-// Theory of operation. The judge starts `runner SUBJECT RESOURCES PROVIDER DESCRIPTOR` in a sandbox and
-// sends requests over the inherited socket. This process, the parent, only forks and watches: it
-// never loads the subject, so nothing a student wrote can reach the judge's socket or a later
+// Theory of operation. The judge starts `runner SUBJECT RESOURCES PROVIDER DESCRIPTOR` in a sandbox
+// and sends requests over the inherited socket. This process, the parent, only forks and watches:
+// it never loads the subject, so nothing a student wrote can reach the judge's socket or a later
 // request. A call gets a fresh child. Frames share one child, because an OpenGL context is dear;
 // it is replaced when it dies. Every child loads the subject itself, so even a crash in a static
 // initialiser costs one request and is reported with its line.
@@ -58,8 +58,8 @@ int main(int argc, char** argv) {
             answer.outcome = protocol::Outcome::faulty;
             answer.detail = error.what();
         }
-        if (!protocol::writeAll(judge, protocol::framed(protocol::kAnswerMagic,
-                                                        protocol::encodeAnswer(answer))))
+        if (!protocol::writeAll(
+                judge, protocol::framed(protocol::kAnswerMagic, protocol::encodeAnswer(answer))))
             break;
     }
     return 0;

@@ -25,15 +25,21 @@ class OneBuild {
 public:
     OneBuild(const Toolchain& tools, const Sandbox& sandbox, const Stage& stage,
              const AssignmentLimits& limits, const fs::path& work)
-        : tools_(tools), sandbox_(sandbox), stage_(stage), limits_(limits),
-          cache_(tools.cache / "objects"), sources_(work / "stage"), out_(work / "out") {}
+        : tools_(tools),
+          sandbox_(sandbox),
+          stage_(stage),
+          limits_(limits),
+          cache_(tools.cache / "objects"),
+          sources_(work / "stage"),
+          out_(work / "out") {}
 
     BuildResult run() {
         layOut();
         std::vector<std::future<Made>> compiling;
         const auto files = translationUnits();
         for (const StagedFile* file : files)
-            compiling.push_back(std::async(std::launch::async, [=, this] { return compile(*file); }));
+            compiling.push_back(
+                std::async(std::launch::async, [=, this] { return compile(*file); }));
         BuildResult result;
         result.stage = sources_;
         result.ok = true;
@@ -140,8 +146,9 @@ private:
         ProcessResult result =
             grader::run(sandbox_.confine(confinement, command), limits_.buildSeconds, kLongestLog);
         if (result.timedOut || result.signal != 0)
-            result.output += fmt::format("\n{}:1:1: error: the compiler did not finish within {} s\n",
-                                         output.substr(0, output.size() - 2), limits_.buildSeconds);
+            result.output +=
+                fmt::format("\n{}:1:1: error: the compiler did not finish within {} s\n",
+                            output.substr(0, output.size() - 2), limits_.buildSeconds);
         if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
             cache_.store(key, made, result.output);
         return {result.succeeded(), result.output};

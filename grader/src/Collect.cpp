@@ -167,11 +167,10 @@ private:
         }
     }
     bool holdsTaken(const std::string& folder) const {
-        return std::any_of(result_.stage.files.begin(), result_.stage.files.end(),
-                           [&](const StagedFile& file) {
-                               return file.role != Role::provided &&
-                                      file.name.starts_with(folder + "/");
-                           });
+        return std::any_of(
+            result_.stage.files.begin(), result_.stage.files.end(), [&](const StagedFile& file) {
+                return file.role != Role::provided && file.name.starts_with(folder + "/");
+            });
     }
 
     const fs::path& root_;

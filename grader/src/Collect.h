@@ -43,7 +43,7 @@ struct Stage {
 
 struct Collected {
     Stage stage;
-    std::vector<std::string> ignored;     ///< files and folders (with a slash) not taken
+    std::vector<std::string> ignored;  ///< files and folders (with a slash) not taken
     std::vector<std::string> notices;
     std::vector<Diagnostic> unreadable;  ///< files that cannot be taken as they are
     bool anythingSubmitted = false;

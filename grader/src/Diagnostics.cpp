@@ -87,12 +87,14 @@ const std::vector<Hint>& hints() {
          "the members are called near and far, as in code 8.1 of the notes. (On Windows, "
          "windows.h makes macros of both names; `#undef near` and `#undef far` after it.)"},
         {std::regex(R"(has no member named)"),
-         "the harness uses the members of the lecture notes: keep their names, add your own freely"},
+         "the harness uses the members of the lecture notes: keep their names, add your own "
+         "freely"},
         {std::regex(R"(no declaration matches|does not match any)"),
          "name and parameter types must be those of the header, to the letter"},
         {std::regex(R"(multiple definition of)"),
          "two of the submitted files define the same function: keep one of them"},
-        {std::regex(R"(expected ';')"), "a semicolon is missing, often at the end of the line before"},
+        {std::regex(R"(expected ';')"),
+         "a semicolon is missing, often at the end of the line before"},
         {std::regex(R"(was not declared in this scope|has not been declared)"),
          "check the spelling, a missing #include, or a missing glm:: in front"},
         {std::regex(R"(expected '\}' at end of input)"), "a closing brace } is missing"},

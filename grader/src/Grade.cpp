@@ -34,10 +34,9 @@ void markUnimplemented(const Manifest& manifest, CheckResult& check) {
         return;
     const Task& task = *manifest.task(check.task);
     for (const std::string& id : check.todos) {
-        const bool needed =
-            std::any_of(task.needs.begin(), task.needs.end(), [&](const std::string& need) {
-                return need.substr(need.find('/') + 1) == id;
-            });
+        const bool needed = std::any_of(
+            task.needs.begin(), task.needs.end(),
+            [&](const std::string& need) { return need.substr(need.find('/') + 1) == id; });
         if (id != task.id && !needed)
             continue;
         check.status = Status::notImplemented;
@@ -51,9 +50,8 @@ CheckResult checkOf(const Manifest& manifest, const TestOutcome& test,
                     const std::vector<TestOutcome>& all) {
     const auto task = std::find_if(manifest.tasks.begin(), manifest.tasks.end(),
                                    [&](const Task& each) { return each.suite() == test.suite; });
-    const auto siblings = std::count_if(all.begin(), all.end(), [&](const TestOutcome& each) {
-        return each.suite == test.suite;
-    });
+    const auto siblings = std::count_if(
+        all.begin(), all.end(), [&](const TestOutcome& each) { return each.suite == test.suite; });
     CheckResult check;
     check.id = test.id();
     check.kind = "test";
@@ -141,8 +139,7 @@ AssignmentResult Grader::grade(const Manifest& manifest, const Submission& submi
     return result;
 }
 
-void Grader::fillIn(AssignmentResult& result, const StageResult& graded,
-                    std::uint64_t seed) const {
+void Grader::fillIn(AssignmentResult& result, const StageResult& graded, std::uint64_t seed) const {
     result.seed = seed;
     result.buildOk = graded.build.ok;
     result.diagnostics = graded.build.diagnostics;
@@ -152,12 +149,8 @@ void Grader::fillIn(AssignmentResult& result, const StageResult& graded,
         result.status = "grader_error";
     if (const std::string weakness = sandbox_.weakness(); !weakness.empty())
         result.notices.push_back(weakness);
-    result.environment = {tools_.version,
-                          tools_.compilerVersion,
-                          tools_.glmVersion,
-                          graded.graphics.renderer,
-                          graded.graphics.version,
-                          cpuModel(),
+    result.environment = {tools_.version,           tools_.compilerVersion,  tools_.glmVersion,
+                          graded.graphics.renderer, graded.graphics.version, cpuModel(),
                           sandbox_.name()};
     result.timing["build_seconds"] = graded.buildSeconds;
     result.timing["observe_seconds"] = graded.observeSeconds;
@@ -176,9 +169,8 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
         return result;
     }
     const auto observing = Clock::now();
-    auto drawing = std::async(std::launch::async, [&] {
-        return observer_.drawFrames(manifest, result.build, seed);
-    });
+    auto drawing = std::async(std::launch::async,
+                              [&] { return observer_.drawFrames(manifest, result.build, seed); });
     const auto tests = observer_.runTests(manifest, result.build, seed, work.path());
     for (const TestOutcome& test : tests)
         result.checks.push_back(checkOf(manifest, test, tests));
@@ -207,9 +199,10 @@ std::map<std::string, Grader::Reference> Grader::references(const Manifest& mani
     if (seed != kPublishedSeed) {
         // Nothing is stored for such a seed: the solution draws the references now.
         if (!fs::exists(tools_.root / "solutions" / manifest.id))
-            throw Error("seed {} needs solutions/{}, which is not here: only seed {} has stored "
-                        "references",
-                        seed, manifest.id, kPublishedSeed);
+            throw Error(
+                "seed {} needs solutions/{}, which is not here: only seed {} has stored "
+                "references",
+                seed, manifest.id, kPublishedSeed);
         auto pictures = draw(manifest, stageOf(manifest, "solutions"), seed);
         auto starters = draw(manifest, stageOf(manifest, "assignments"), seed);
         for (const Frame& frame : manifest.frames)
@@ -227,10 +220,11 @@ std::map<std::string, Grader::Reference> Grader::references(const Manifest& mani
                             manifest.id);
             *picture = readPictureCached(file, tools_.cache / "pictures");
             if (picture->width != frame.width || picture->height != frame.height)
-                throw Error("{}: expected {} x {} pixels, found {} x {}: run ./grade "
-                            "update-references {}",
-                            file.string(), frame.width, frame.height, picture->width,
-                            picture->height, manifest.id);
+                throw Error(
+                    "{}: expected {} x {} pixels, found {} x {}: run ./grade "
+                    "update-references {}",
+                    file.string(), frame.width, frame.height, picture->width, picture->height,
+                    manifest.id);
         }
     }
     return all;

@@ -10,7 +10,9 @@ class Grader {
 public:
     /// `provider` of OpenGL contexts: "osmesa", "egl", or "auto" for what the machine has.
     Grader(const Toolchain& tools, const Sandbox& sandbox, const std::string& provider = "auto")
-        : tools_(tools), sandbox_(sandbox), builder_(tools, sandbox),
+        : tools_(tools),
+          sandbox_(sandbox),
+          builder_(tools, sandbox),
           observer_(tools, sandbox, provider) {}
 
     /// One assignment of a submission. Throws Error for the grader's own faults only.
@@ -42,8 +44,7 @@ private:
     struct Reference {
         Picture picture, starter;
     };
-    std::map<std::string, Reference> references(const Manifest& manifest,
-                                                std::uint64_t seed) const;
+    std::map<std::string, Reference> references(const Manifest& manifest, std::uint64_t seed) const;
     std::vector<CheckResult> unjudged(const Manifest& manifest) const;
     void fillIn(AssignmentResult& result, const StageResult& graded, std::uint64_t seed) const;
 

@@ -36,11 +36,20 @@ std::string escaped(const std::string& text) {
     std::string safe;
     for (const char each : text) {
         switch (each) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += static_cast<unsigned char>(each) < 32 && each != '\n' ? ' ' : each;
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += static_cast<unsigned char>(each) < 32 && each != '\n' ? ' ' : each;
         }
     }
     return safe;
@@ -52,7 +61,8 @@ std::string base64(const std::string& bytes) {
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned group = 0;
         for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
         for (std::size_t k = 0; k < 4; ++k)
             text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
     }
@@ -64,9 +74,10 @@ std::string scoreText(double points, double most) {
 }
 
 std::string figure(const std::string& path, const fs::path& folder, const std::string& caption) {
-    return fmt::format("<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\">"
-                       "<figcaption>{0}</figcaption></figure>\n",
-                       escaped(caption), base64(readFile(folder / path)));
+    return fmt::format(
+        "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\">"
+        "<figcaption>{0}</figcaption></figure>\n",
+        escaped(caption), base64(readFile(folder / path)));
 }
 
 std::string picturesOf(const CheckResult& check, const fs::path& folder) {
@@ -88,9 +99,9 @@ std::string picturesOf(const CheckResult& check, const fs::path& folder) {
 
 std::string checkRow(const CheckResult& check, const fs::path& folder) {
     const std::string status = judge::toString(check.status);
-    std::string html = fmt::format("<tr><td class=\"status {0}\">{1}</td><td>{2}", status,
-                                   status == "not_implemented" ? "not implemented" : status,
-                                   escaped(check.title));
+    std::string html =
+        fmt::format("<tr><td class=\"status {0}\">{1}</td><td>{2}", status,
+                    status == "not_implemented" ? "not implemented" : status, escaped(check.title));
     if (!check.message.empty())
         html += fmt::format("<div class=\"message\">{}</div>", escaped(check.message));
     if (!check.hint.empty() && check.status != Status::notImplemented)
@@ -122,23 +133,26 @@ std::string assignmentSection(const AssignmentResult& result, const fs::path& fo
         html += fmt::format("<p>Not taken: {}</p>\n",
                             escaped(fmt::format("{}", fmt::join(result.ignoredFiles, ", "))));
     if (result.status == "build_error")
-        html += "<p class=\"build_error\">The code does not compile, so nothing could be "
-                "checked.</p>\n";
+        html +=
+            "<p class=\"build_error\">The code does not compile, so nothing could be "
+            "checked.</p>\n";
     html += diagnosticsOf(result);
     for (const TaskResult& task : result.tasks) {
-        html += fmt::format("<h2><span class=\"{}\">{}</span> {}<span class=\"score\">{}</span></h2>"
-                            "\n<table>\n",
-                            judge::toString(task.status), escaped(task.id), escaped(task.title),
-                            scoreText(task.points, task.maxPoints));
+        html += fmt::format(
+            "<h2><span class=\"{}\">{}</span> {}<span class=\"score\">{}</span></h2>"
+            "\n<table>\n",
+            judge::toString(task.status), escaped(task.id), escaped(task.title),
+            scoreText(task.points, task.maxPoints));
         for (const CheckResult& check : task.checks)
             html += checkRow(check, folder);
         html += "</table>\n";
     }
     const Environment& here = result.environment;
-    return html + fmt::format("<footer><p>Seed {}. {}; {}; {}; {}; sandbox: {}.</p></footer>"
-                              "</section>\n",
-                              result.seed, escaped(here.grader), escaped(here.compiler),
-                              escaped(here.glRenderer), escaped(here.cpu), escaped(here.sandbox));
+    return html + fmt::format(
+                      "<footer><p>Seed {}. {}; {}; {}; {}; sandbox: {}.</p></footer>"
+                      "</section>\n",
+                      result.seed, escaped(here.grader), escaped(here.compiler),
+                      escaped(here.glRenderer), escaped(here.cpu), escaped(here.sandbox));
 }
 
 }  // namespace

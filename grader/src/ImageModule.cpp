@@ -23,12 +23,12 @@ const ImageModule& imageModule() {
     static const ImageModule loaded = [] {
         void* library = dlopen(COURSE_IMAGE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
         if (!library)
-            throw Error("the image library cannot be loaded: {}; install libopenimageio and build "
-                        "again",
-                        dlerror());
-        return ImageModule{
-            reinterpret_cast<ImageModule::Read>(dlsym(library, "cg_image_read")),
-            reinterpret_cast<ImageModule::Write>(dlsym(library, "cg_image_write"))};
+            throw Error(
+                "the image library cannot be loaded: {}; install libopenimageio and build "
+                "again",
+                dlerror());
+        return ImageModule{reinterpret_cast<ImageModule::Read>(dlsym(library, "cg_image_read")),
+                           reinterpret_cast<ImageModule::Write>(dlsym(library, "cg_image_write"))};
     }();
     return loaded;
 }
@@ -55,8 +55,8 @@ void writePicture(const fs::path& path, const Picture& picture) {
     if (path.has_parent_path())
         fs::create_directories(path.parent_path());
     char error[kErrorSize] = "";
-    if (imageModule().write(path.c_str(), picture.width, picture.height, picture.rgba.data(),
-                            error, sizeof error) != 0)
+    if (imageModule().write(path.c_str(), picture.width, picture.height, picture.rgba.data(), error,
+                            sizeof error) != 0)
         throw Error("{} cannot be written: {}", path.string(), error);
 }
 

@@ -21,7 +21,8 @@ std::string plainFileName(const Fields& where, const std::string& name) {
         return part == ".." || part == "." || part.empty();
     });
     if (name.empty() || path.is_absolute() || escapes)
-        throw Error("{}: \"{}\" is no file name below the assignment's folder", where.where(), name);
+        throw Error("{}: \"{}\" is no file name below the assignment's folder", where.where(),
+                    name);
     return name;
 }
 
@@ -149,8 +150,8 @@ Manifest Manifest::load(const fs::path& folder) {
     const Json json = parseJsonFile(file);
     Fields fields(json, file);
     if (const int format = fields.get<int>("format"); format != kFormat)
-        throw Error("{}: field \"format\": expected {}, found {}: this grader reads no other",
-                    file, kFormat, format);
+        throw Error("{}: field \"format\": expected {}, found {}: this grader reads no other", file,
+                    kFormat, format);
     Manifest manifest;
     manifest.folder = folder;
     manifest.id = fields.get<std::string>("id");
@@ -159,8 +160,7 @@ Manifest Manifest::load(const fs::path& folder) {
     manifest.summary = fields.get<std::string>("summary");
     for (const auto& name : fields.get<std::vector<std::string>>("submit"))
         manifest.submit.push_back(plainFileName(fields, name));
-    for (const auto& [name, from] :
-         fields.get<std::map<std::string, std::string>>("inherits", {}))
+    for (const auto& [name, from] : fields.get<std::map<std::string, std::string>>("inherits", {}))
         manifest.inherits[plainFileName(fields, name)] = from;
     manifest.limits = readLimits(fields.object("limits"));
     for (const Fields& task : fields.list("tasks"))

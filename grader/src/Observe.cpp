@@ -27,15 +27,17 @@ void requireSuites(const Manifest& manifest, const std::vector<TestOutcome>& tes
     for (const TestOutcome& test : tests)
         if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
                          [&](const Task& task) { return task.suite() == test.suite; }))
-            throw Error("test {} belongs to no task of {}: name its suite after one of them, such "
-                        "as {}",
-                        test.id(), manifest.id, manifest.tasks.front().suite());
+            throw Error(
+                "test {} belongs to no task of {}: name its suite after one of them, such "
+                "as {}",
+                test.id(), manifest.id, manifest.tasks.front().suite());
     for (const Task& task : manifest.tasks)
         if (task.points > manifest.framePoints(task.id) &&
             std::none_of(tests.begin(), tests.end(),
                          [&](const TestOutcome& test) { return test.suite == task.suite(); }))
-            throw Error("task \"{}\" of {} has no test: expected TEST({}, …) in assignments/{}/tests",
-                        task.id, manifest.id, task.suite(), manifest.id);
+            throw Error(
+                "task \"{}\" of {} has no test: expected TEST({}, …) in assignments/{}/tests",
+                task.id, manifest.id, task.suite(), manifest.id);
 }
 
 std::string lastLine(const std::string& text) {
@@ -75,13 +77,16 @@ std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const Buil
 std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const BuildResult& build,
                                                 std::uint64_t seed, const fs::path& work) const {
     const fs::path resultFile = work / "checks.json";
-    std::vector<std::string> command = {
-        tools_.judge(manifest.id).string(),
-        "--result", resultFile.string(),
-        "--seed", std::to_string(seed),
-        "--call-ms", fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
-        "--output-kib", std::to_string(manifest.limits.outputKib),
-        "--"};
+    std::vector<std::string> command = {tools_.judge(manifest.id).string(),
+                                        "--result",
+                                        resultFile.string(),
+                                        "--seed",
+                                        std::to_string(seed),
+                                        "--call-ms",
+                                        fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
+                                        "--output-kib",
+                                        std::to_string(manifest.limits.outputKib),
+                                        "--"};
     const auto runner = runnerCommand(manifest, build);
     command.insert(command.end(), runner.begin(), runner.end());
     fs::remove(resultFile);
@@ -139,9 +144,10 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     }
     frames.graphics = protocol::decodeGraphics(graphics.payload);
     if (!drawsOnTheCpu(frames.graphics.renderer))
-        throw Error("frames for grading must be drawn by llvmpipe or softpipe, because other "
-                    "renderers give other pixels; found \"{}\"",
-                    frames.graphics.renderer);
+        throw Error(
+            "frames for grading must be drawn by llvmpipe or softpipe, because other "
+            "renderers give other pixels; found \"{}\"",
+            frames.graphics.renderer);
 
     request.kind = protocol::RequestKind::frame;
     request.seed = seed;

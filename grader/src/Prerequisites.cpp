@@ -27,8 +27,13 @@ class Mender {
 public:
     Mender(const Grader& grader, const Manifest& manifest, Stage& stage, std::uint64_t seed,
            Grader::StageResult& graded, std::vector<std::string>& notices)
-        : grader_(grader), root_(grader.tools().root), manifest_(manifest), stage_(stage),
-          seed_(seed), graded_(graded), notices_(notices) {}
+        : grader_(grader),
+          root_(grader.tools().root),
+          manifest_(manifest),
+          stage_(stage),
+          seed_(seed),
+          graded_(graded),
+          notices_(notices) {}
 
     void run() {
         if (!graded_.build.ok && onlyInheritedFilesAreBroken())
@@ -66,9 +71,9 @@ private:
             file.origin = fs::exists(root_ / "solutions" / from / name) ? "solutions" : "starter";
             const char* tree = file.origin == "solutions" ? "solutions" : "assignments";
             file.content = readFile(root_ / tree / from / name);
-            notices_.push_back(fmt::format("{} of {} does not compile: the {} took its place", name,
-                                           from,
-                                           file.origin == "solutions" ? "solution's" : "starter's"));
+            notices_.push_back(
+                fmt::format("{} of {} does not compile: the {} took its place", name, from,
+                            file.origin == "solutions" ? "solution's" : "starter's"));
         }
         graded_ = grader_.gradeStage(manifest_, stage_, seed_);
     }
@@ -144,9 +149,10 @@ private:
                     break;
                 }
         if (!gained.empty())
-            notices_.push_back(fmt::format("{} rests on {}, which loses points of its own: graded "
-                                           "with the solution's, so that nothing is charged twice",
-                                           fmt::join(gained, ", "), fmt::join(replaced, ", ")));
+            notices_.push_back(
+                fmt::format("{} rests on {}, which loses points of its own: graded "
+                            "with the solution's, so that nothing is charged twice",
+                            fmt::join(gained, ", "), fmt::join(replaced, ", ")));
     }
 
     void skipWhatRestsOnLostTasks(const std::set<std::string>& lost) {

@@ -9,7 +9,7 @@ struct ProcessResult {
     int exitCode = -1;  ///< -1 when a signal ended it
     int signal = 0;
     bool timedOut = false;
-    std::string output;      ///< standard output and error together, cut at the limit
+    std::string output;  ///< standard output and error together, cut at the limit
     bool succeeded() const { return exitCode == 0 && !timedOut; }
 };
 

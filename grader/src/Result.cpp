@@ -12,7 +12,9 @@ namespace {
 constexpr int kFormat = 1;
 
 /// Sums of thirds and sevenths would otherwise end in noise.
-double rounded(double points) { return std::round(points * 1e6) / 1e6; }
+double rounded(double points) {
+    return std::round(points * 1e6) / 1e6;
+}
 
 Status statusOfTask(const std::vector<CheckResult>& checks) {
     const auto all = [&](auto&& predicate) {
@@ -153,7 +155,9 @@ std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckR
     return tasks;
 }
 
-std::string toJson(const AssignmentResult& result) { return dumped(jsonOf(result)); }
+std::string toJson(const AssignmentResult& result) {
+    return dumped(jsonOf(result));
+}
 
 std::string toJson(const std::vector<AssignmentResult>& results) {
     if (results.size() == 1)

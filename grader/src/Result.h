@@ -22,7 +22,7 @@ struct FramePictures {
 };
 
 struct CheckResult {
-    std::string id;  ///< "RotateUp.KeepsTheTarget", or the frame's id
+    std::string id;    ///< "RotateUp.KeepsTheTarget", or the frame's id
     std::string kind;  ///< "test" or "frame"
     std::string task;
     std::string title;

@@ -23,10 +23,10 @@ void append(Command& command, const Command& more) {
 /// thread, and leave no cache.
 const Command& environment() {
     static const Command variables = {
-        "PATH=/usr/bin:/bin",        "LANG=C.UTF-8",
-        "HOME=/nonexistent",         "TMPDIR=/tmp",
-        "LIBGL_ALWAYS_SOFTWARE=1",   "GALLIUM_DRIVER=llvmpipe",
-        "LP_NUM_THREADS=0",          "MESA_SHADER_CACHE_DISABLE=true",
+        "PATH=/usr/bin:/bin",      "LANG=C.UTF-8",
+        "HOME=/nonexistent",       "TMPDIR=/tmp",
+        "LIBGL_ALWAYS_SOFTWARE=1", "GALLIUM_DRIVER=llvmpipe",
+        "LP_NUM_THREADS=0",        "MESA_SHADER_CACHE_DISABLE=true",
     };
     return variables;
 }
@@ -75,18 +75,38 @@ public:
         Command all = {"env", "-i"};
         append(all, environment());
         append(all, becomeUnprivileged());
-        append(all, {"bwrap", "--unshare-all", "--unshare-user", "--uid", id, "--gid", id,
-                     "--as-pid-1", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
-                     "--hostname", "sandbox", "--proc", "/proc", "--dev", "/dev",
-                     "--size", "67108864", "--tmpfs", "/tmp",
-                     "--ro-bind", "/usr", "/usr"});
+        append(all, {"bwrap",
+                     "--unshare-all",
+                     "--unshare-user",
+                     "--uid",
+                     id,
+                     "--gid",
+                     id,
+                     "--as-pid-1",
+                     "--die-with-parent",
+                     "--new-session",
+                     "--cap-drop",
+                     "ALL",
+                     "--hostname",
+                     "sandbox",
+                     "--proc",
+                     "/proc",
+                     "--dev",
+                     "/dev",
+                     "--size",
+                     "67108864",
+                     "--tmpfs",
+                     "/tmp",
+                     "--ro-bind",
+                     "/usr",
+                     "/usr"});
         for (const char* name : {"/bin", "/lib", "/lib64"})
             if (fs::is_symlink(name))
                 append(all, {"--symlink", fs::read_symlink(name).string(), name});
             else if (fs::exists(name))
                 append(all, {"--ro-bind", name, name});
-        append(all, {"--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
-                     "--ro-bind-try", "/etc/alternatives", "/etc/alternatives"});
+        append(all, {"--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--ro-bind-try",
+                     "/etc/alternatives", "/etc/alternatives"});
         for (const fs::path& folder : confinement.readable)
             append(all, {"--ro-bind", folder.string(), folder.string()});
         for (const fs::path& folder : confinement.writable)
@@ -120,8 +140,12 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Sandbox> makeBubblewrap() { return std::make_unique<Bubblewrap>(); }
-std::unique_ptr<Sandbox> makePlainProcess() { return std::make_unique<PlainProcess>(); }
+std::unique_ptr<Sandbox> makeBubblewrap() {
+    return std::make_unique<Bubblewrap>();
+}
+std::unique_ptr<Sandbox> makePlainProcess() {
+    return std::make_unique<PlainProcess>();
+}
 
 std::unique_ptr<Sandbox> chooseSandbox() {
     auto bubblewrap = makeBubblewrap();

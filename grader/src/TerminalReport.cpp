@@ -21,16 +21,24 @@ struct Mark {
 
 Mark markOf(Status status) {
     switch (status) {
-        case Status::pass: return {"✓", "\033[32m"};
-        case Status::partial: return {"◐", "\033[33m"};
-        case Status::notImplemented: return {"○", "\033[36m"};
-        case Status::skipped: return {"–", "\033[36m"};
-        case Status::graderError: return {"!", "\033[35m"};
-        default: return {"✗", "\033[31m"};
+        case Status::pass:
+            return {"✓", "\033[32m"};
+        case Status::partial:
+            return {"◐", "\033[33m"};
+        case Status::notImplemented:
+            return {"○", "\033[36m"};
+        case Status::skipped:
+            return {"–", "\033[36m"};
+        case Status::graderError:
+            return {"!", "\033[35m"};
+        default:
+            return {"✗", "\033[31m"};
     }
 }
 
-bool startsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
+bool startsCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
 
 /// Columns that a text of UTF-8 takes; every sign of ours takes one.
 std::size_t columns(const std::string& text) {
@@ -57,7 +65,8 @@ bool steers(const std::string& sign) {
     static const char* turning[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
                                     "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
     const auto first = static_cast<unsigned char>(sign[0]);
-    return first < 32 || first == 127 || (first == 0xC2 && static_cast<unsigned char>(sign[1]) < 0xA0) ||
+    return first < 32 || first == 127 ||
+           (first == 0xC2 && static_cast<unsigned char>(sign[1]) < 0xA0) ||
            std::find(std::begin(turning), std::end(turning), sign) != std::end(turning);
 }
 
@@ -87,8 +96,8 @@ public:
     void row(const std::string& left, const std::string& right, const char* colour = "") {
         const auto width = static_cast<std::size_t>(style_.width) - columns(right);
         const std::string text = shortened(harmless(left), width - 1);
-        out_ << (*colour ? painted(text, colour) : text)
-             << std::string(width - columns(text), ' ') << right << "\n";
+        out_ << (*colour ? painted(text, colour) : text) << std::string(width - columns(text), ' ')
+             << right << "\n";
     }
     /// `lead` once, then words wrapped and indented below each other.
     void paragraph(const std::string& lead, const std::string& text) {
@@ -153,8 +162,8 @@ void writeTask(Writer& out, const TaskResult& task) {
             continue;
         out.paragraph(fmt::format("    {} ", markOf(check.status).symbol),
                       check.title + ": " + check.message);
-        if (!check.hint.empty() && check.hint != hint &&
-            check.status != Status::notImplemented && check.status != Status::skipped) {
+        if (!check.hint.empty() && check.hint != hint && check.status != Status::notImplemented &&
+            check.status != Status::skipped) {
             out.paragraph("      hint: ", check.hint);
             hint = check.hint;
         }
@@ -189,8 +198,9 @@ std::string terminalReport(const AssignmentResult& result, const TerminalStyle& 
     for (const TaskResult& task : result.tasks)
         writeTask(out, task);
     if (result.graderFailed())
-        out.paragraph("  ! ", "The grader itself failed above; that is not your mistake. Please "
-                              "report it with the sentence shown.");
+        out.paragraph("  ! ",
+                      "The grader itself failed above; that is not your mistake. Please "
+                      "report it with the sentence shown.");
     return out.take();
 }
 

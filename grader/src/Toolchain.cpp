@@ -58,8 +58,8 @@ std::string fingerprintOf(const fs::path& kit) {
     for (const char* name : {"prelude/prelude.h.gch", "lib/libcg.a", "bin/runner"}) {
         struct stat status {};
         stat((kit / name).c_str(), &status);
-        text += fmt::format(" {}:{}.{}", status.st_size, status.st_mtim.tv_sec,
-                            status.st_mtim.tv_nsec);
+        text +=
+            fmt::format(" {}:{}.{}", status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
     }
     return sha256(text).substr(0, 16);
 }

@@ -9,11 +9,11 @@ namespace grader {
 /// What the build wrote down for the grader: where things are, and how a student's code is
 /// compiled. Read from toolchain.json beside the program.
 struct Toolchain {
-    fs::path root;    ///< of the repository
-    fs::path build;   ///< of the build folder
-    fs::path kit;     ///< what a sandbox may see of ours: headers, prelude, library, runner
+    fs::path root;   ///< of the repository
+    fs::path build;  ///< of the build folder
+    fs::path kit;    ///< what a sandbox may see of ours: headers, prelude, library, runner
     std::string kitFingerprint;  ///< another one means: compile anew
-    fs::path cache;   ///< compiled objects and decoded references
+    fs::path cache;              ///< compiled objects and decoded references
     std::string compiler;
     std::string compilerVersion;
     std::string glmVersion;

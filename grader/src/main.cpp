@@ -30,8 +30,9 @@ std::vector<std::string> withDefaultCommand(const CLI::App& app, int argc, char*
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Grades the assignments of this course.\n"
-                 "Exit codes: 0 full marks, 1 something lost, 2 the grader or its use was wrong.");
+    CLI::App app(
+        "Grades the assignments of this course.\n"
+        "Exit codes: 0 full marks, 1 something lost, 2 the grader or its use was wrong.");
     app.name("./grade");
     app.require_subcommand(0, 1);
     int exitCode = grader::kGraderFailed;

@@ -30,14 +30,30 @@ std::string rows(const M& matrix) {
 
 }  // namespace
 
-std::string show(bool value) { return value ? "true" : "false"; }
-std::string show(int value) { return std::to_string(value); }
-std::string show(float value) { return number(value); }
-std::string show(const glm::vec2& value) { return "(" + joined(value, ", ") + ")"; }
-std::string show(const glm::vec3& value) { return "(" + joined(value, ", ") + ")"; }
-std::string show(const glm::vec4& value) { return "(" + joined(value, ", ") + ")"; }
-std::string show(const glm::mat3& value) { return rows(value); }
-std::string show(const glm::mat4& value) { return rows(value); }
+std::string show(bool value) {
+    return value ? "true" : "false";
+}
+std::string show(int value) {
+    return std::to_string(value);
+}
+std::string show(float value) {
+    return number(value);
+}
+std::string show(const glm::vec2& value) {
+    return "(" + joined(value, ", ") + ")";
+}
+std::string show(const glm::vec3& value) {
+    return "(" + joined(value, ", ") + ")";
+}
+std::string show(const glm::vec4& value) {
+    return "(" + joined(value, ", ") + ")";
+}
+std::string show(const glm::mat3& value) {
+    return rows(value);
+}
+std::string show(const glm::mat4& value) {
+    return rows(value);
+}
 
 bool expectThat(const std::string& what, bool condition, const std::string& found) {
     if (!condition)

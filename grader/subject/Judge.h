@@ -44,8 +44,12 @@ std::string show(const glm::vec3& value);
 std::string show(const glm::vec4& value);
 std::string show(const glm::mat3& value);
 std::string show(const glm::mat4& value);
-inline std::string show(const char* value) { return value; }
-inline std::string show(const std::string& value) { return value; }
+inline std::string show(const char* value) {
+    return value;
+}
+inline std::string show(const std::string& value) {
+    return value;
+}
 
 /// fmt::format with the values shown as above.
 template <class... A>
@@ -59,8 +63,7 @@ void fail(const std::string& sentence);
 /// Numbers agree when the largest difference is at most tolerance * max(1, |expected|); a number
 /// that is not finite never agrees. Failing says "what: expected …, got …". Returns success.
 template <class T>
-bool expectClose(const std::string& what, const T& got, const T& expected,
-                 float tolerance = 1e-4f);
+bool expectClose(const std::string& what, const T& got, const T& expected, float tolerance = 1e-4f);
 
 /// `found` says what was seen when the condition does not hold. Returns the condition.
 bool expectThat(const std::string& what, bool condition, const std::string& found);

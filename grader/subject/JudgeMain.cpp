@@ -75,8 +75,12 @@ void check(const std::string& title, const std::string& hint) {
     current.hint = hint;
 }
 
-Subject& subject() { return *theSubject; }
-Random& random() { return *current.random; }
+Subject& subject() {
+    return *theSubject;
+}
+Random& random() {
+    return *current.random;
+}
 
 void fail(const std::string& sentence) {
     current.sentences.push_back(sentence);

@@ -38,12 +38,12 @@ public:
             start();
         if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)
             return fault("no random numbers to be had");
-        protocol::writeAll(channel_, protocol::framed(protocol::kRequestMagic,
-                                                      protocol::encodeRequest(request)));
+        protocol::writeAll(
+            channel_, protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
         protocol::Bytes body;
-        const auto status = protocol::readMessage(
-            channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
-            static_cast<int>(request.timeoutMs) + kGraceMs, body);
+        const auto status =
+            protocol::readMessage(channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
+                                  static_cast<int>(request.timeoutMs) + kGraceMs, body);
         return judged(request, status, body);
     }
 
@@ -61,8 +61,10 @@ private:
                 stop();
                 answer.outcome = Outcome::timeout;
                 return answer;
-            case protocol::ReadStatus::malformed: return tampered();
-            case protocol::ReadStatus::ok: break;
+            case protocol::ReadStatus::malformed:
+                return tampered();
+            case protocol::ReadStatus::ok:
+                break;
         }
         try {
             answer = protocol::decodeAnswer(body);
@@ -114,8 +116,8 @@ private:
             dup2(inherited, kRunnerDescriptor);
             close_range(kRunnerDescriptor + 1, ~0U, 0);
             execvp(arguments[0], arguments.data());
-            const std::string message = std::string("cannot start ") + arguments[0] + ": " +
-                                        std::strerror(errno) + "\n";
+            const std::string message =
+                std::string("cannot start ") + arguments[0] + ": " + std::strerror(errno) + "\n";
             [[maybe_unused]] const auto written = write(2, message.data(), message.size());
             _exit(127);
         }

@@ -11,29 +11,30 @@ namespace judge {
 namespace {
 
 constexpr std::pair<Status, const char*> kWords[] = {
-    {Status::pass, "pass"},
-    {Status::partial, "partial"},
-    {Status::fail, "fail"},
-    {Status::notImplemented, "not_implemented"},
-    {Status::skipped, "skipped"},
-    {Status::buildError, "build_error"},
-    {Status::crash, "crash"},
-    {Status::timeout, "timeout"},
-    {Status::memory, "memory"},
-    {Status::output, "output"},
-    {Status::tampered, "tampered"},
-    {Status::graderError, "grader_error"},
+    {Status::pass, "pass"},         {Status::partial, "partial"},
+    {Status::fail, "fail"},         {Status::notImplemented, "not_implemented"},
+    {Status::skipped, "skipped"},   {Status::buildError, "build_error"},
+    {Status::crash, "crash"},       {Status::timeout, "timeout"},
+    {Status::memory, "memory"},     {Status::output, "output"},
+    {Status::tampered, "tampered"}, {Status::graderError, "grader_error"},
 };
 
 std::string signalName(int signal) {
     switch (signal) {
-        case SIGSEGV: return "SIGSEGV (memory that is not yours, or endless recursion)";
-        case SIGBUS: return "SIGBUS (memory that is not there)";
-        case SIGFPE: return "SIGFPE (division of an integer by zero)";
-        case SIGILL: return "SIGILL (a function that returns a value must not end without one)";
-        case SIGABRT: return "SIGABRT (abort or a failed assert)";
-        case SIGKILL: return "SIGKILL (stopped from outside, most likely for its memory)";
-        default: return fmt::format("signal {}", signal);
+        case SIGSEGV:
+            return "SIGSEGV (memory that is not yours, or endless recursion)";
+        case SIGBUS:
+            return "SIGBUS (memory that is not there)";
+        case SIGFPE:
+            return "SIGFPE (division of an integer by zero)";
+        case SIGILL:
+            return "SIGILL (a function that returns a value must not end without one)";
+        case SIGABRT:
+            return "SIGABRT (abort or a failed assert)";
+        case SIGKILL:
+            return "SIGKILL (stopped from outside, most likely for its memory)";
+        default:
+            return fmt::format("signal {}", signal);
     }
 }
 
@@ -70,9 +71,12 @@ Verdict explain(const std::string& what, const protocol::Request& request,
     const std::string detail = shortened(answer.detail);
     const std::string place = detail.empty() ? "" : " in " + detail;
     switch (answer.outcome) {
-        case Outcome::ok: break;
-        case Outcome::missing: return {Status::notImplemented, detail};
-        case Outcome::shader: return {Status::buildError, answer.detail};
+        case Outcome::ok:
+            break;
+        case Outcome::missing:
+            return {Status::notImplemented, detail};
+        case Outcome::shader:
+            return {Status::buildError, answer.detail};
         case Outcome::exception:
             return {Status::crash, fmt::format("{} threw an exception: {}", what, detail)};
         case Outcome::crash:
@@ -80,10 +84,11 @@ Verdict explain(const std::string& what, const protocol::Request& request,
                     fmt::format("{} crashed{} with {}", what, place, signalName(answer.code))};
         case Outcome::exited:
             if (answer.code == 0)
-                return {Status::tampered, what + " ended the whole program with exit status 0 "
-                                                 "instead of returning"};
-            return {Status::crash,
-                    fmt::format("{} ended the whole program with exit status {}", what, answer.code)};
+                return {Status::tampered, what +
+                                              " ended the whole program with exit status 0 "
+                                              "instead of returning"};
+            return {Status::crash, fmt::format("{} ended the whole program with exit status {}",
+                                               what, answer.code)};
         case Outcome::timeout:
             return {Status::timeout, fmt::format("{} did not finish within {:g} s: look for a loop "
                                                  "that never ends",
@@ -93,9 +98,11 @@ Verdict explain(const std::string& what, const protocol::Request& request,
         case Outcome::output:
             return {Status::output,
                     fmt::format("{} printed more than {} KiB", what, request.outputBytes / 1024)};
-        case Outcome::tampered: return {Status::tampered, what + ": " + detail};
+        case Outcome::tampered:
+            return {Status::tampered, what + ": " + detail};
         case Outcome::unknown:
-        case Outcome::faulty: return {Status::graderError, detail};
+        case Outcome::faulty:
+            return {Status::graderError, detail};
     }
     return {Status::graderError, what + ": an answer that is no failure was explained as one"};
 }

@@ -22,8 +22,8 @@ protocol::Request Subject::makeRequest(protocol::RequestKind kind, const std::st
 
 protocol::Answer Subject::askOrGiveUp(const protocol::Request& request) {
     if (std::find(timedOut_.begin(), timedOut_.end(), request.name) != timedOut_.end())
-        giveUp({Status::timeout,
-                request.name + " was not called again: it ran out of time before"});
+        giveUp(
+            {Status::timeout, request.name + " was not called again: it ran out of time before"});
     protocol::Answer answer = ask(request);
     onTodos(answer.todos);
     if (answer.outcome == protocol::Outcome::timeout)

@@ -15,7 +15,8 @@ namespace judge {
 
 /// A request did not bring a value. Leaves the test that made it.
 struct SubjectFailure : std::runtime_error {
-    explicit SubjectFailure(Verdict why) : std::runtime_error(why.message), verdict(std::move(why)) {}
+    explicit SubjectFailure(Verdict why)
+        : std::runtime_error(why.message), verdict(std::move(why)) {}
     Verdict verdict;
 };
 
@@ -68,8 +69,8 @@ public:
     /// shade() for a test that has its own opinion of failures: nothing is thrown or recorded.
     template <class... A>
     protocol::Answer tryShade(const std::string& function, const A&... arguments) {
-        return ask(makeRequest(protocol::RequestKind::draw, function,
-                               protocol::encode(arguments...)));
+        return ask(
+            makeRequest(protocol::RequestKind::draw, function, protocol::encode(arguments...)));
     }
 
     /// Told the ids of unfilled regions that a request reached.
@@ -88,8 +89,8 @@ private:
 
     template <class... A>
     protocol::DrawAnswer draw(const std::string& function, bool census, const A&... arguments) {
-        auto request = makeRequest(protocol::RequestKind::draw, function,
-                                   protocol::encode(arguments...));
+        auto request =
+            makeRequest(protocol::RequestKind::draw, function, protocol::encode(arguments...));
         request.census = census;
         return protocol::decodeDrawAnswer(askOrGiveUp(request).payload);
     }

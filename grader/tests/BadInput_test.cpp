@@ -89,8 +89,8 @@ TEST(BadInput, ZNearForNearGetsAHint) {
         submission.replace("07-camera/Camera.h", "float near;", std::string("float ") + name + ";");
         submission.replace("07-camera/Camera.cpp", "    near = near_default;\n", "");
         submission.replace("07-camera/Camera.cpp", "near", name);
-        const Graded graded = lab::runGrader(
-            {"07-camera", "--submission", submission.folder().string()});
+        const Graded graded =
+            lab::runGrader({"07-camera", "--submission", submission.folder().string()});
         EXPECT_EQ(graded.exitCode, 1);
         EXPECT_TRUE(says(graded, "no member named 'near'"));
         EXPECT_TRUE(says(graded, "windows.h"));
@@ -100,7 +100,8 @@ TEST(BadInput, ZNearForNearGetsAHint) {
 TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
     Submission submission;
     submission.solve(kRotation, "rotation", "    return undefinedThing;\n");
-    const Graded graded = lab::runGrader({"06-rotation", "--submission", submission.folder().string()});
+    const Graded graded =
+        lab::runGrader({"06-rotation", "--submission", submission.folder().string()});
     EXPECT_TRUE(says(graded, "rotation.cpp:"));
     EXPECT_TRUE(says(graded, "undefinedThing"));
 }
@@ -120,17 +121,16 @@ protected:
         program_ = work_.path() / "bin/grader";
         lab::fs::create_directories(program_.parent_path());
         lab::fs::copy_file(COURSE_GRADER, program_);
-        Json tools = Json::parse(lab::readFile(lab::fs::path(COURSE_GRADER).parent_path() /
-                                               "toolchain.json"));
+        Json tools = Json::parse(
+            lab::readFile(lab::fs::path(COURSE_GRADER).parent_path() / "toolchain.json"));
         tools["root"] = (work_.path() / "course").string();
         lab::writeFile(program_.parent_path() / "toolchain.json", tools.dump());
     }
 
     Graded grade(const std::string& assignment, const std::string& tree = "solutions") {
-        const auto result =
-            lab::run({program_.string(), assignment, "--submission",
-                      (work_.path() / "course" / tree).string()},
-                     60.0);
+        const auto result = lab::run({program_.string(), assignment, "--submission",
+                                      (work_.path() / "course" / tree).string()},
+                                     60.0);
         Graded graded;
         graded.exitCode = result.exitCode;
         graded.text = result.output;

@@ -15,8 +15,8 @@ const std::string kRotation = "06-rotation/rotation.cpp";
 const std::string kCamera = "07-camera/Camera.cpp";
 
 TEST(Grading, SolutionsEarnEverything) {
-    const Graded graded = lab::runGrader({"--submission", (lab::root() / "solutions").string(),
-                                          "--json", "-"});
+    const Graded graded =
+        lab::runGrader({"--submission", (lab::root() / "solutions").string(), "--json", "-"});
     EXPECT_EQ(graded.exitCode, 0);
     ASSERT_TRUE(graded.document.is_array()) << graded.text;
     ASSERT_GE(graded.document.size(), 3u);
@@ -25,14 +25,15 @@ TEST(Grading, SolutionsEarnEverything) {
 }
 
 TEST(Grading, StartersEarnNothingAndAreNotImplemented) {
-    const Graded graded = lab::runGrader({"--submission", (lab::root() / "assignments").string(),
-                                          "--json", "-"});
+    const Graded graded =
+        lab::runGrader({"--submission", (lab::root() / "assignments").string(), "--json", "-"});
     EXPECT_EQ(graded.exitCode, 1);
     ASSERT_GE(graded.document.size(), 3u);
     for (const Json& each : graded.document) {
         EXPECT_EQ(each.at("points"), 0.0);
         for (const Json& task : each.at("tasks"))
-            EXPECT_EQ(task.at("status"), "not_implemented") << each.at("assignment") << task.at("id");
+            EXPECT_EQ(task.at("status"), "not_implemented")
+                << each.at("assignment") << task.at("id");
     }
 }
 
@@ -63,8 +64,9 @@ TEST(Grading, AFolderOfOneAssignmentNeedsItsName) {
 
 TEST(Grading, ACrashCostsOnlyTheChecksThatCallIt) {
     Submission submission;
-    submission.solve(kRotation, "euler-rodrigues",
-                     "    volatile int* nowhere = nullptr;\n    return glm::mat3(float(*nowhere));\n");
+    submission.solve(
+        kRotation, "euler-rodrigues",
+        "    volatile int* nowhere = nullptr;\n    return glm::mat3(float(*nowhere));\n");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.losses(), Ids{"euler-rodrigues"});
     const std::string message = graded.message("EulerRodrigues.ImageOfAVector");
@@ -94,8 +96,7 @@ TEST(Grading, ExitCostsOnlyTheChecksThatCallIt) {
 
 TEST(Grading, AnEndlessLoopCostsOneTimeOut) {
     Submission submission;
-    submission.solve(kRotation, "euler-rodrigues",
-                     "    for (volatile int i = 0;; i = i + 1) {}\n");
+    submission.solve(kRotation, "euler-rodrigues", "    for (volatile int i = 0;; i = i + 1) {}\n");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.losses(), Ids{"euler-rodrigues"});
     EXPECT_EQ(graded.status("EulerRodrigues.ImageOfAVector"), "timeout");
@@ -112,8 +113,9 @@ TEST(Grading, AnExceptionIsQuoted) {
 
 TEST(Grading, AStaticInitialiserThatCrashesIsTheSubmissionsFault) {
     Submission submission;
-    submission.write(kRotation, submission.read(kRotation) +
-                                    "\nstatic const int early = [] { std::abort(); return 1; }();\n");
+    submission.write(kRotation,
+                     submission.read(kRotation) +
+                         "\nstatic const int early = [] { std::abort(); return 1; }();\n");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.exitCode, 1) << graded.text;
     EXPECT_EQ(graded.points(), 0.0);
@@ -137,7 +139,8 @@ TEST(Grading, TooMuchMemoryIsNamed) {
 
 TEST(Grading, AFunctionThatIsMissingCostsItsTaskOnly) {
     Submission submission;
-    submission.replace(kRotation, "glm::mat3 eulerRodrigues(const float degrees, const glm::vec3 axis) {",
+    submission.replace(kRotation,
+                       "glm::mat3 eulerRodrigues(const float degrees, const glm::vec3 axis) {",
                        "glm::mat3 eulerRodriguez(const float degrees, const glm::vec3 axis) {");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.losses(), Ids{"euler-rodrigues"});
@@ -150,7 +153,8 @@ TEST(Grading, AFunctionThatIsMissingCostsItsTaskOnly) {
 
 TEST(Grading, AWrongSignatureShowsBoth) {
     Submission submission;
-    submission.replace(kRotation, "glm::mat3 eulerRodrigues(const float degrees, const glm::vec3 axis) {",
+    submission.replace(kRotation,
+                       "glm::mat3 eulerRodrigues(const float degrees, const glm::vec3 axis) {",
                        "glm::mat3 eulerRodrigues(const double degrees, const glm::vec3 axis) {");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.losses(), Ids{"euler-rodrigues"});
@@ -164,7 +168,8 @@ TEST(Grading, AnUnresolvedSymbolOfTheStudentsOwnIsNamed) {
     Submission submission;
     submission.replace(kRotation, "glm::mat3 eulerRodrigues(",
                        "float half(float);\n\nglm::mat3 eulerRodrigues(");
-    submission.solve(kRotation, "euler-rodrigues", "    return glm::mat3(half(degrees) * axis.x);\n");
+    submission.solve(kRotation, "euler-rodrigues",
+                     "    return glm::mat3(half(degrees) * axis.x);\n");
     const Graded graded = submission.grade("06-rotation");
     EXPECT_EQ(graded.losses(), Ids{"euler-rodrigues"});
     EXPECT_NE(graded.message("EulerRodrigues.ImageOfAVector").find("`half(float)`"),
@@ -179,12 +184,13 @@ TEST(Grading, ASubmissionCannotReadRootsFilesOrForkWithoutEnd) {
     lab::writeFile(file, "secret");
     chmod(file.c_str(), 0600);
     Submission submission;
-    const std::string guard = "    static bool read = bool(std::ifstream(\"" + file +
-                              "\")) || bool(std::ifstream(\"/etc/shadow\"));\n"
-                              "    int children = 0, child = 1;\n"
-                              "    while (children < 300 && (child = fork()) > 0) ++children;\n"
-                              "    if (child == 0) pause();\n"
-                              "    if (read || children == 300) throw std::runtime_error(\"open\");\n";
+    const std::string guard =
+        "    static bool read = bool(std::ifstream(\"" + file +
+        "\")) || bool(std::ifstream(\"/etc/shadow\"));\n"
+        "    int children = 0, child = 1;\n"
+        "    while (children < 300 && (child = fork()) > 0) ++children;\n"
+        "    if (child == 0) pause();\n"
+        "    if (read || children == 300) throw std::runtime_error(\"open\");\n";
     submission.replace(kRotation, "#include <cmath>",
                        "#include <cmath>\n#include <fstream>\n#include <unistd.h>");
     const std::string solved = submission.read(kRotation);
@@ -232,10 +238,11 @@ TEST(OneErrorOneCharge, ARotationInsideTheCameraLinksAndGrades) {
     std::string camera = submission.read(kCamera);
     const std::string include = "#include \"rotation.h\"  // your own, from 06-rotation\n";
     ASSERT_NE(camera.find(include), std::string::npos);
-    camera.replace(camera.find(include), include.size(),
-                   "glm::mat3 rotation(const float degrees, const glm::vec3 axis) {\n"
-                   "    return glm::mat3(glm::rotate(glm::mat4(1.0f), glm::radians(degrees), axis));\n"
-                   "}\n");
+    camera.replace(
+        camera.find(include), include.size(),
+        "glm::mat3 rotation(const float degrees, const glm::vec3 axis) {\n"
+        "    return glm::mat3(glm::rotate(glm::mat4(1.0f), glm::radians(degrees), axis));\n"
+        "}\n");
     submission.write(kCamera, camera);
     lab::fs::remove_all(submission.folder() / "06-rotation");
     EXPECT_EQ(submission.grade("07-camera").points(), 100.0);

@@ -69,7 +69,9 @@ Graded Submission::grade(const std::string& assignment, std::vector<std::string>
     return runGrader(more);
 }
 
-fs::path root() { return COURSE_ROOT; }
+fs::path root() {
+    return COURSE_ROOT;
+}
 
 Graded runGrader(const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {COURSE_GRADER};

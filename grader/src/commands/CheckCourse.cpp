@@ -40,8 +40,8 @@ std::vector<Mistake> readMistakes(const fs::path& solution) {
         mistake.section = fields.get<std::string>("section");
         mistake.loses = fields.get<std::set<std::string>>("loses");
         fields.done();
-        mistake.body =
-            readFile(solution / "mistakes" / (mistake.id + fs::path(mistake.file).extension().string()));
+        mistake.body = readFile(solution / "mistakes" /
+                                (mistake.id + fs::path(mistake.file).extension().string()));
         mistakes.push_back(std::move(mistake));
     }
     return mistakes;
@@ -88,9 +88,10 @@ private:
             const std::string starter = readFile(starterFile(manifest, name));
             const std::string solution = readFile(solutionFile(manifest, name));
             if (outsideRegions(starter) != outsideRegions(solution))
-                finding("{}: starter and solution differ outside the TODO regions: compare "
-                        "assignments/{}/{} with solutions/{}/{}",
-                        name, manifest.id, name, manifest.id, name);
+                finding(
+                    "{}: starter and solution differ outside the TODO regions: compare "
+                    "assignments/{}/{} with solutions/{}/{}",
+                    name, manifest.id, name, manifest.id, name);
         }
         for (const Task& task : manifest.tasks) {
             if (!hasRegion(manifest, task.id))
@@ -116,8 +117,8 @@ private:
             finding("starter: {}:{}: {}", each.file, each.line, each.message);
         for (const CheckResult& check : result.checks)
             if (check.status != Status::notImplemented && !allowedToPass(manifest, check.id))
-                finding("starter: {} is {} with {:g} points, expected not_implemented: {}", check.id,
-                        judge::toString(check.status), check.points, check.message);
+                finding("starter: {} is {} with {:g} points, expected not_implemented: {}",
+                        check.id, judge::toString(check.status), check.points, check.message);
     }
     static bool allowedToPass(const Manifest& manifest, const std::string& id) {
         const auto& passes = manifest.starterPasses;
@@ -153,11 +154,11 @@ private:
                 else
                     file->content = readFile(entry.path());
             }
-            for (const CheckResult& check : grader_.gradeStage(manifest, stage, kPublishedSeed).checks)
+            for (const CheckResult& check :
+                 grader_.gradeStage(manifest, stage, kPublishedSeed).checks)
                 if (!check.full())
-                    finding("variant {}: {} is {}: {}",
-                            variant.path().filename().string(), check.id,
-                            judge::toString(check.status), check.message);
+                    finding("variant {}: {} is {}: {}", variant.path().filename().string(),
+                            check.id, judge::toString(check.status), check.message);
         }
     }
 
@@ -172,7 +173,8 @@ private:
             const auto text =
                 file ? withRegion(file->content, mistake.region, mistake.body) : std::nullopt;
             if (!text) {
-                finding("mistake {}: {} has no region {}", mistake.id, mistake.file, mistake.region);
+                finding("mistake {}: {} has no region {}", mistake.id, mistake.file,
+                        mistake.region);
                 continue;
             }
             file->content = *text;
@@ -216,8 +218,8 @@ private:
                         mistake.id, task);
         for (const auto& [task, why] : lost)
             if (!mistake.loses.contains(task))
-                finding("mistake {} also loses in {}, which its entry does not name: {}", mistake.id,
-                        task, why);
+                finding("mistake {} also loses in {}, which its entry does not name: {}",
+                        mistake.id, task, why);
     }
 
     /// References are what the solutions draw today.
@@ -252,7 +254,8 @@ void addCheckCourseCommand(CLI::App& app, int& exitCode) {
         const Grader grader(tools, *sandbox);
         CourseCheck check(grader);
         int findings = 0;
-        for (const std::string& id : assignments.empty() ? knownAssignments(tools.root) : assignments)
+        for (const std::string& id :
+             assignments.empty() ? knownAssignments(tools.root) : assignments)
             findings += check.check(id);
         exitCode = findings ? kSomethingLost : kFullMarks;
     });

@@ -68,16 +68,15 @@ void addDebugCommand(CLI::App& app, int& exitCode) {
         build(tools, assignment + "_debug");
         const std::string program = (tools.build / "debug" / (assignment + "_debug")).string();
         // A test that does not exist must not open a debugger on nothing.
-        if (runHere({"sh", "-c",
-                     "\"$0\" --gtest_list_tests --gtest_filter=\"$1\" | grep -q '^  '", program,
-                     test}) != 0)
+        if (runHere({"sh", "-c", "\"$0\" --gtest_list_tests --gtest_filter=\"$1\" | grep -q '^  '",
+                     program, test}) != 0)
             throw Error("{} has no test \"{}\"; {} --gtest_list_tests lists them", assignment, test,
                         program);
-        exitCode = runHere({"gdb", "-q", "-ex",
-                            "echo Set a breakpoint in your function (break Camera::rotateUp), "
-                            "then: run\\n",
-                            "--args", program, "--gtest_filter=" + test,
-                            "--gtest_catch_exceptions=0"});
+        exitCode =
+            runHere({"gdb", "-q", "-ex",
+                     "echo Set a breakpoint in your function (break Camera::rotateUp), "
+                     "then: run\\n",
+                     "--args", program, "--gtest_filter=" + test, "--gtest_catch_exceptions=0"});
     });
 }
 

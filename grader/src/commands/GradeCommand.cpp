@@ -52,14 +52,17 @@ Selection select(const Toolchain& tools, const Options& options) {
     if (selection.assignments.empty())
         selection.assignments = present;
     if (present.empty() && options.assignments.size() != 1)
-        throw Error("--submission {}: no folder in it is named like an assignment, so it must hold "
-                    "the files of one: name that assignment, for instance ./grade {} --submission "
-                    "{}",
-                    folder.string(), known.front(), folder.string());
+        throw Error(
+            "--submission {}: no folder in it is named like an assignment, so it must hold "
+            "the files of one: name that assignment, for instance ./grade {} --submission "
+            "{}",
+            folder.string(), known.front(), folder.string());
     return selection;
 }
 
-bool worthPainting() { return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR"); }
+bool worthPainting() {
+    return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+}
 
 void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
     writeReportPictures(results, folder);
@@ -135,16 +138,21 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
     command->add_option("--submission", options.submission,
                         "folder with one folder per assignment, or with the files of the one "
                         "assignment named; default assignments/");
-    command->add_option("--json", options.json, "write the result document to this file, - for "
-                                                "standard output (then nothing else is printed)");
+    command->add_option("--json", options.json,
+                        "write the result document to this file, - for "
+                        "standard output (then nothing else is printed)");
     command->add_option("--report", options.report, "write report and pictures to this folder");
-    command->add_option("--seed", options.seed, "seed of random inputs; other than 1 needs "
-                                                "solutions/")
+    command
+        ->add_option("--seed", options.seed,
+                     "seed of random inputs; other than 1 needs "
+                     "solutions/")
         ->capture_default_str();
     command->add_flag("--open", options.open,
                       "write the report (default folder: report/) and open it in the browser");
-    command->add_option("--context", options.context, "what draws the frames: auto takes osmesa, "
-                                                      "or egl where there is no OSMesa")
+    command
+        ->add_option("--context", options.context,
+                     "what draws the frames: auto takes osmesa, "
+                     "or egl where there is no OSMesa")
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
         ->capture_default_str();
     command->add_flag("--no-sandbox", options.noSandbox,

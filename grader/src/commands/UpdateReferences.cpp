@@ -41,8 +41,8 @@ void updateAssignment(const Grader& grader, const std::string& id) {
     const fs::path folder = root / "reference_images" / id;
     std::vector<fs::path> written;
     int changed = 0;
-    for (const auto& [tree, suffix] : {std::pair{"solutions", ".png"},
-                                       std::pair{"assignments", ".starter.png"}})
+    for (const auto& [tree, suffix] :
+         {std::pair{"solutions", ".png"}, std::pair{"assignments", ".starter.png"}})
         for (const auto& [frame, picture] :
              grader.draw(manifest, grader.stageOf(manifest, tree), kPublishedSeed)) {
             written.push_back(folder / (frame + suffix));
@@ -67,7 +67,8 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode) {
         const Toolchain tools = Toolchain::load();
         const auto sandbox = chooseSandbox();
         const Grader grader(tools, *sandbox);
-        for (const std::string& id : assignments.empty() ? knownAssignments(tools.root) : assignments)
+        for (const std::string& id :
+             assignments.empty() ? knownAssignments(tools.root) : assignments)
             updateAssignment(grader, id);
         exitCode = kFullMarks;
     });

@@ -12,7 +12,7 @@ namespace grader {
 
 namespace {
 
-constexpr int kDeadZone = 4;   // of 255: what correct drivers differ by
+constexpr int kDeadZone = 4;    // of 255: what correct drivers differ by
 constexpr int kSaturated = 64;  // of 255: as wrong as can be
 constexpr double kMostWhenLost = 0.99;
 
@@ -24,7 +24,8 @@ int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
 int nearestDifference(const Picture& from, const Picture& to, int x, int y) {
     const std::uint8_t* pixel = from.pixel(x, y);
     int least = channelDifference(pixel, to.pixel(x, y));
-    for (int ny = std::max(0, y - 1); least > kDeadZone && ny <= std::min(to.height - 1, y + 1); ++ny)
+    for (int ny = std::max(0, y - 1); least > kDeadZone && ny <= std::min(to.height - 1, y + 1);
+         ++ny)
         for (int nx = std::max(0, x - 1); nx <= std::min(to.width - 1, x + 1); ++nx)
             least = std::min(least, channelDifference(pixel, to.pixel(nx, ny)));
     return least;

@@ -13,11 +13,11 @@ namespace grader {
 /// by a pixel nor another driver's rounding counts. It is 0 up to 4/255 and 1 from 64/255. Alpha
 /// is not looked at.
 struct FrameScore {
-    double score = 0;        ///< 0 … 1: the share of the points
-    double outliers = 0;     ///< share of pixels with an error above 0
-    double meanError = 0;    ///< 0 … 1
-    double baseline = 0;     ///< mean error of the best picture that shows nothing learnt
-    double skill = 0;        ///< 1 - meanError / baseline, at least 0
+    double score = 0;              ///< 0 … 1: the share of the points
+    double outliers = 0;           ///< share of pixels with an error above 0
+    double meanError = 0;          ///< 0 … 1
+    double baseline = 0;           ///< mean error of the best picture that shows nothing learnt
+    double skill = 0;              ///< 1 - meanError / baseline, at least 0
     int centreX = 0, centreY = 0;  ///< of the error, pixels from the top left
     bool sizeMatches = true;
 };
