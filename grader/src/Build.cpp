@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <future>
 #include <map>
+#include <regex>
+#include <sstream>
 
 #include "Error.h"
 #include "ObjectCache.h"
@@ -14,6 +16,33 @@ namespace {
 
 constexpr int kCompilerMemoryMib = 2048;
 constexpr std::size_t kLongestLog = 256 * 1024;
+
+bool isHeader(const std::string& name) {
+    const std::string kind = fs::path(name).extension().string();
+    return kind == ".h" || kind == ".hpp" || kind == ".inl";
+}
+
+/// Whether every file that this text can bring in is a header, as far as can be told without a
+/// preprocessor: no other name is included, and none is made up or hidden.
+bool includesOnlyHeaders(const std::string& text) {
+    if (text.find("\\\n") != std::string::npos || text.find("%:") != std::string::npos ||
+        text.find("??") != std::string::npos || text.find("incbin") != std::string::npos ||
+        text.find("__has_include") != std::string::npos)
+        return false;
+    static const std::regex plain(R"re(#[ \t]*include[ \t]*(<[^>]*>|"[^"]*\.(h|hpp|inl)").*)re");
+    constexpr std::size_t kLongestDirective = 1000;  // the regular expression recurses
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto hash = line.find('#');
+        const bool directive =
+            hash != std::string::npos && (line.find("include", hash) != std::string::npos ||
+                                          line.find("import", hash) != std::string::npos);
+        if (directive &&
+            (line.size() > kLongestDirective || !std::regex_match(line.substr(hash), plain)))
+            return false;
+    }
+    return true;
+}
 
 /// What one command made of its input.
 struct Made {
@@ -31,7 +60,12 @@ public:
           limits_(limits),
           cache_(tools.cache / "objects"),
           sources_(work / "stage"),
-          out_(work / "out") {}
+          out_(work / "out"),
+          includesOnlyHeaders_(
+              std::all_of(stage.files.begin(), stage.files.end(), [](const StagedFile& file) {
+                  const bool code = isHeader(file.name) || file.name.ends_with(".cpp");
+                  return !code || includesOnlyHeaders(file.content);
+              })) {}
 
     BuildResult run() {
         layOut();
@@ -117,13 +151,13 @@ private:
         return cached(sha256(key), command, "subject.so");
     }
 
-    /// All that the object depends on: flags, compiler, our headers, the file and every header
-    /// and provided text of the stage.
+    /// All that the object depends on: flags, compiler, our headers, the file, and every file of
+    /// the stage that it could include.
     std::string keyOf(const StagedFile& file) const {
         std::string text = tools_.compiler + "\n" + tools_.compilerVersion + "\n" +
                            tools_.kitFingerprint + "\n" + sandboxIndependentFlags();
         for (const StagedFile& each : stage_.files)
-            if (&each == &file || fs::path(each.name).extension() != ".cpp")
+            if (&each == &file || isHeader(each.name) || !includesOnlyHeaders_)
                 text += each.name + "\n" + sha256(each.content) + "\n";
         return sha256(file.name + "\n" + text);
     }
@@ -172,6 +206,7 @@ private:
     const AssignmentLimits& limits_;
     ObjectCache cache_;
     fs::path sources_, out_;
+    bool includesOnlyHeaders_;  ///< of every C++ file in the stage
 };
 
 }  // namespace

@@ -213,7 +213,7 @@ TEST_F(DamagedCourse, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
     lab::fs::create_directories(fake);
     for (const char* name : {"kit", "judges"})
         copyFolder(build / name, fake / name);
-    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
+    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1"})
         lab::writeFile(fake / "kit/broken" / name, "no library");
     lab::fs::rename(fake / "kit/bin/runner", fake / "kit/bin/runner.real");
     lab::writeFile(fake / "kit/bin/runner",

@@ -249,4 +249,14 @@ TEST(OneErrorOneCharge, ARotationInsideTheCameraLinksAndGrades) {
     EXPECT_EQ(submission.grade("08-perspective").points(), 100.0);
 }
 
+TEST(OneErrorOneCharge, AnEditOfAnIncludedSourceFileIsSeen) {
+    // The compiled Camera.cpp in the cache must not outlive the rotation.cpp that it includes.
+    Submission submission;
+    submission.replace(kCamera, "#include \"rotation.h\"", "#include \"rotation.cpp\"");
+    EXPECT_FALSE(submission.grade("07-camera").notes("nothing is charged twice"));
+    submission.replace(kRotation, "    return R;\n    // END TODO(rotation)",
+                       "    return glm::transpose(R);\n    // END TODO(rotation)");
+    EXPECT_TRUE(submission.grade("07-camera").notes("nothing is charged twice"));
+}
+
 }  // namespace

@@ -1,5 +1,7 @@
 #include "Lab.h"
 
+#include <set>
+
 #include "Regions.h"
 
 namespace lab {
@@ -35,13 +37,15 @@ bool Graded::notes(const std::string& part) const {
 }
 
 Submission::Submission() {
-    for (const auto& entry : fs::directory_iterator(root() / "solutions"))
-        for (const auto& each : fs::directory_iterator(entry.path()))
-            if (each.is_regular_file() && each.path().extension() != ".json") {
-                fs::create_directories(folder() / entry.path().filename());
-                fs::copy_file(each.path(),
-                              folder() / entry.path().filename() / each.path().filename());
-            }
+    // What is in solutions/ beside the student's files is not theirs.
+    const std::set<std::string> ours = {"mistakes", "mistakes.json", "hidden_tests", "variants"};
+    for (const auto& solution : fs::directory_iterator(root() / "solutions")) {
+        const fs::path to = folder() / solution.path().filename();
+        fs::create_directories(to);
+        for (const auto& each : fs::directory_iterator(solution.path()))
+            if (!ours.contains(each.path().filename().string()))
+                fs::copy(each.path(), to / each.path().filename(), fs::copy_options::recursive);
+    }
 }
 
 void Submission::write(const std::string& name, const std::string& content) {
