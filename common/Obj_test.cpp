@@ -10,9 +10,7 @@ namespace {
 class ObjTest : public cg::GlTest {
 protected:
     /// Path of a file with this text.
-    std::string write(const std::string& text) const {
-        return folder.write("mesh.obj", text);
-    }
+    std::string write(const std::string& text) const { return folder.write("mesh.obj", text); }
     std::string refusal(const std::string& text) {
         const std::string path = write(text);
         const std::string message = cg::messageOf<cg::Error>([&] { Obj().init(path.c_str()); });

@@ -1,5 +1,6 @@
 // What the grader may ask of a student's camera. A check of a turn never rests on the student's
 // view matrix, and a check of the view matrix never on a turn, so each mistake is charged once.
+#include <cg/ShaderProbe.h>
 #include <runner/Harness.h>
 
 #include <cmath>
@@ -15,6 +16,14 @@ namespace {
 // One scene for all frames: compiling its shader takes longer than drawing it.
 course::Scene& scene() {
     static course::Scene instance;
+    static const bool ready = (instance.init(), true);
+    (void)ready;
+    return instance;
+}
+
+// Its own, so that a shader that does not compile spoils no other picture.
+course::NormalScene& normalScene() {
+    static course::NormalScene instance;
     static const bool ready = (instance.init(), true);
     (void)ready;
     return instance;
@@ -133,6 +142,22 @@ CG_HARNESS(harness) {
         return views;
     });
 
+    // What transformed_normal.vert makes of normals, one modelview after the other.
+    harness.function(
+        "normals", [](std::vector<glm::mat4> modelviews, std::vector<glm::vec3> normals) {
+            std::vector<glm::vec3> transformed;
+            for (std::size_t i = 0; i < modelviews.size(); ++i) {
+                cg::Uniforms uniforms;
+                uniforms.mat4s = {{"modelview", modelviews[i]}, {"projection", glm::mat4(1.0f)}};
+                const std::vector<glm::vec4> position{glm::vec4(0.3f, -0.2f, 0.5f, 1.0f)};
+                const std::vector<glm::vec4> normal{glm::vec4(normals.at(i), 0.0f)};
+                transformed.push_back(glm::vec3(cg::probeVertex("shaders/transformed_normal.vert",
+                                                                {{0, position}, {1, normal}},
+                                                                "normal", uniforms)[0]));
+            }
+            return transformed;
+        });
+
     harness.frame("from-the-right", [](const FrameRequest& request) {
         drawTurned(request, turned(offEye, offTarget, offUp, {{0, 230.0f}}));
     });
@@ -145,4 +170,8 @@ CG_HARNESS(harness) {
         drawLookAt(request, glm::vec3(-2.0f, 1.9f, -3.2f), offTarget, glm::vec3(0.5f, 1.2f, 0.3f));
     });
     harness.frame("seeded-view", [](const FrameRequest& request) { drawSeededView(request); });
+    harness.frame("stretched-normals", [](const FrameRequest& request) {
+        const glm::mat4 view = glm::lookAt(glm::vec3(1.2f, 1.0f, 2.6f), glm::vec3(0.0f), yAxis);
+        normalScene().draw(view, course::projDefault(float(request.width) / float(request.height)));
+    });
 }

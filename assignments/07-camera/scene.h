@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "Cube.h"
+#include "Sphere.h"
 
 namespace course {
 
@@ -32,6 +33,20 @@ private:
     void box(const glm::mat4& view, const glm::vec3& center, const glm::vec3& size);
 
     Cube cube_;
+    NormalShader shader_;
+};
+
+/// Stretched and sheared solids, coloured by what shaders/transformed_normal.vert makes of their
+/// normals: red where a surface looks to the right of the camera, green upwards, blue towards it.
+class NormalScene {
+public:
+    /// As for Scene.
+    void init();
+    void draw(const glm::mat4& view, const glm::mat4& projection);
+
+private:
+    Cube cube_;
+    Sphere sphere_;
     NormalShader shader_;
 };
 

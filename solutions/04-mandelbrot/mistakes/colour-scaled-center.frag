@@ -1,0 +1,5 @@
+void main() {
+    vec2 c = zoom * (center + canvas_coord);
+    float t = float(iterate(c)) / float(maxiter);
+    fragColor = vec4(vec3(t, t * t, 0.5 * t), 1.0);
+}

@@ -1,0 +1,3 @@
+vec2 cprod(vec2 a, vec2 b) {
+    return abs(vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x));
+}

@@ -1,0 +1,3 @@
+int iterate(vec2 c) {
+    return 0;
+}

@@ -1,0 +1,4 @@
+// The unit normal in camera coordinates, (7.41).
+vec3 transformedNormal() {
+    return normalize(mat3(modelview) * vertex_normal);
+}

@@ -1,0 +1,4 @@
+// The unit normal in camera coordinates, (7.41).
+vec3 transformedNormal() {
+    return transpose(inverse(mat3(modelview))) * normalize(vertex_normal);
+}

@@ -1,0 +1,13 @@
+    std::size_t steps = 0;
+    std::stack<Node*> pending;
+    pending.push(node["world"]);
+    while (!pending.empty()) {
+        if (++steps > 3 * node.size()) {
+            throw std::runtime_error("the scene graph has a cycle");
+        }
+        Node* const current = pending.top();
+        pending.pop();
+        for (Node* child : current->childnodes) {
+            pending.push(child);
+        }
+    }

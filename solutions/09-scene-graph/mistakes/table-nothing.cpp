@@ -1,0 +1,1 @@
+    (void)table, (void)top, (void)leg, (void)piece, (void)size, (void)thickness;

@@ -1,0 +1,4 @@
+// Ambient reflection of light i, (10.4).
+vec3 ambientPart(int i) {
+    return ambient.rgb;
+}
