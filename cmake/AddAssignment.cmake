@@ -71,6 +71,17 @@ function(course_student_code target)
     target_link_libraries(${target} PRIVATE cg)
 endfunction()
 
+# Lets a program find shaders and meshes wherever it is started from: those of the tree first, then
+# the provided ones, then the framework's.
+function(course_add_resources target id tree)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}_resources.cpp)
+    set(folders ${PROJECT_SOURCE_DIR}/${tree}/${id} ${PROJECT_SOURCE_DIR}/assignments/${id}
+        ${PROJECT_SOURCE_DIR}/common)
+    list(JOIN folders "\", \"" folders)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/Resources.cpp.in ${source} @ONLY)
+    target_sources(${target} PRIVATE ${source})
+endfunction()
+
 function(course_add_window target id tree)
     set(source ${PROJECT_SOURCE_DIR}/assignments/${id})
     course_provided_sources(${id} provided)
@@ -78,6 +89,7 @@ function(course_add_window target id tree)
     set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/windows)
     course_link_student_files(${target} ${id} ${tree})
     course_student_code(${target})
+    course_add_resources(${target} ${id} ${tree})
     target_link_libraries(${target} PRIVATE cg_window)
 endfunction()
 
@@ -105,6 +117,7 @@ function(course_add_assignment id)
     add_executable(${id}_debug EXCLUDE_FROM_ALL ${tests} ${source}/harness.cpp ${provided})
     course_link_student_files(${id}_debug ${id} assignments)
     course_student_code(${id}_debug)
+    course_add_resources(${id}_debug ${id} assignments)
     target_include_directories(${id}_debug PRIVATE ${source}/tests)
     target_compile_options(${id}_debug PRIVATE -g -O0)
     target_link_libraries(${id}_debug PRIVATE judge_linked OpenGL::OpenGL)

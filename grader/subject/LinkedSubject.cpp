@@ -1,4 +1,5 @@
 #include <cg/EglContext.h>
+#include <cg/ShaderProbe.h>
 #include <runner/Census.h>
 #include <runner/Harness.h>
 
@@ -26,11 +27,18 @@ public:
             return answer;
         }
         harness_.clearTodos();
-        protocol::ByteReader arguments(request.arguments);
-        if (request.kind == protocol::RequestKind::draw)
-            answer.payload = draw(request, [&] { return found->second(arguments); });
-        else
-            answer.payload = found->second(arguments);
+        try {
+            protocol::ByteReader arguments(request.arguments);
+            answer.payload = request.kind == protocol::RequestKind::draw
+                                 ? draw(request, [&] { return found->second(arguments); })
+                                 : found->second(arguments);
+        } catch (const cg::MissingFunction& error) {
+            answer.outcome = protocol::Outcome::missing;
+            answer.detail = error.what();
+        } catch (const std::exception& error) {  // `catch throw` stops a debugger where it starts
+            answer.outcome = protocol::Outcome::exception;
+            answer.detail = error.what();
+        }
         answer.todos = harness_.reachedTodos();
         return answer;
     }
