@@ -137,23 +137,49 @@ std::string withAfterVersion(const std::string& source, const std::string& inser
            source.substr(end);
 }
 
-/// A program for probing a fragment shader, linked once per context and text: many sets of uniforms
-/// cost one compilation. Kept until the process ends, when its context is gone anyway.
-const GlslProgram& fragmentProgram(const std::string& file, const std::string& source,
-                                   const std::vector<std::string>& inputNames) {
+/// The program that `make` links, made once per context and key: many sets of uniforms cost one
+/// compilation. Kept until the process ends, when its context is gone anyway.
+template <class Make>
+const GlslProgram& programOnce(const std::string& key, Make make) {
     static auto& known = *new std::map<std::string, std::unique_ptr<GlslProgram>>;
-    const std::string vertexSource = passingVertexShader(source, inputNames);
-    std::unique_ptr<GlslProgram>& program =
-        known[std::to_string(currentContextId()) + "\n" + file + "\n" + vertexSource + source];
+    std::unique_ptr<GlslProgram>& program = known[std::to_string(currentContextId()) + "\n" + key];
     if (!program) {
         auto fresh = std::make_unique<GlslProgram>();
-        glBindFragDataLocation(fresh->name(), 0, "cg_result");
-        const GlslStage vertex(GL_VERTEX_SHADER, vertexSource, "probe.vert");
-        const GlslStage fragment(GL_FRAGMENT_SHADER, source, file);
-        fresh->link({&fragment, &vertex});
+        make(*fresh);
         program = std::move(fresh);
     }
     return *program;
+}
+
+const GlslProgram& fragmentProgram(const std::string& file, const std::string& source,
+                                   const std::vector<std::string>& inputNames) {
+    const std::string vertexSource = passingVertexShader(source, inputNames);
+    return programOnce("fragment " + file + "\n" + vertexSource + source, [&](GlslProgram& fresh) {
+        glBindFragDataLocation(fresh.name(), 0, "cg_result");
+        const GlslStage vertex(GL_VERTEX_SHADER, vertexSource, "probe.vert");
+        const GlslStage fragment(GL_FRAGMENT_SHADER, source, file);
+        fresh.link({&fragment, &vertex});
+    });
+}
+
+const GlslProgram& vertexProgram(const std::string& file, const std::string& output) {
+    const std::string source = readShaderFile(file);
+    return programOnce("vertex " + output + " " + file + "\n" + source, [&](GlslProgram& fresh) {
+        const GlslStage vertex(GL_VERTEX_SHADER, source, file);
+        fresh.capture({output});
+        fresh.link({&vertex});
+    });
+}
+
+const GlslProgram& pictureProgram(const std::string& vertexFile, const std::string& fragmentFile) {
+    const std::string vertexSource = readShaderFile(vertexFile);
+    const std::string fragmentSource = readShaderFile(fragmentFile);
+    return programOnce(
+        "picture " + fragmentFile + "\n" + vertexSource + fragmentSource, [&](GlslProgram& fresh) {
+            const GlslStage vertex(GL_VERTEX_SHADER, vertexSource, vertexFile);
+            const GlslStage fragment(GL_FRAGMENT_SHADER, fragmentSource, fragmentFile);
+            fresh.link({&fragment, &vertex});
+        });
 }
 
 bool definesFunction(const std::string& source, const std::string& name) {
@@ -180,30 +206,32 @@ Values probeFunction(const std::string& file, const std::string& function,
                      const std::string& expression, const Values& inputs,
                      const Uniforms& uniforms) {
     const std::string source = readShaderFile(file);
-    // Its own errors first, in its own words.
-    const GlslStage alone(GL_FRAGMENT_SHADER, source, file);
-    if (alone.compiled() == 0) {
-        throw GlslError(alone.complaint());
-    }
+    const auto complain = [&] {  // of the file's own errors, in its own words
+        const GlslStage alone(GL_FRAGMENT_SHADER, source, file);
+        if (alone.compiled() == 0) {
+            throw GlslError(alone.complaint());
+        }
+    };
     if (!definesFunction(source, function)) {
+        complain();
         throw MissingFunction("`" + function + "` is defined nowhere in " + file);
     }
-    const std::string probed = withAfterVersion(source, "#define main cg_main_put_aside\n") +
-                               "\n#undef main\nin vec4 cg_argument;\nout vec4 cg_result;\n"
-                               "void main() {\n    cg_result = " +
-                               std::regex_replace(expression, std::regex(R"(\ba\b)"),
-                                                  "cg_argument") +
-                               ";\n}\n";
-    return drawPoints(fragmentProgram(file, probed, {"cg_argument"}), {{0, inputs}}, uniforms);
+    const std::string probed =
+        withAfterVersion(source, "#define main cg_main_put_aside\n") +
+        "\n#undef main\nin vec4 cg_argument;\nout vec4 cg_result;\n"
+        "void main() {\n    cg_result = " +
+        std::regex_replace(expression, std::regex(R"(\ba\b)"), "cg_argument") + ";\n}\n";
+    try {
+        return drawPoints(fragmentProgram(file, probed, {"cg_argument"}), {{0, inputs}}, uniforms);
+    } catch (const GlslError&) {
+        complain();
+        throw;
+    }
 }
 
 Values probeVertex(const std::string& file, const std::map<unsigned, Values>& attributes,
                    const std::string& output, const Uniforms& uniforms) {
-    const GlslStage vertex(GL_VERTEX_SHADER, readShaderFile(file), file);
-    const GlslProgram program;
-    program.capture({output});
-    program.link({&vertex});
-
+    const GlslProgram& program = vertexProgram(file, output);
     GLsizei size = 0;
     GLenum type = 0;
     GLchar name[256];
@@ -241,10 +269,7 @@ Values probeVertex(const std::string& file, const std::map<unsigned, Values>& at
 
 Values renderFloat(const std::string& vertexFile, const std::string& fragmentFile, int width,
                    int height, const Uniforms& uniforms) {
-    const GlslStage vertex(GL_VERTEX_SHADER, readShaderFile(vertexFile), vertexFile);
-    const GlslStage fragment(GL_FRAGMENT_SHADER, readShaderFile(fragmentFile), fragmentFile);
-    const GlslProgram program;
-    program.link({&fragment, &vertex});
+    const GlslProgram& program = pictureProgram(vertexFile, fragmentFile);
     FloatTarget target(width, height);
     Square square;
     square.init(glm::vec2(0.0f), 2.0f);
