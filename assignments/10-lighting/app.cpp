@@ -16,13 +16,7 @@ struct LightingViewer : cg::Viewer {
     void init() override {
         set.init();
         comparison.init();
-        camera.eye_default = course::StillLife::eye;
-        camera.target_default = course::StillLife::target;
-        camera.up_default = course::StillLife::up();
-        camera.fovy_default = course::StillLife::fovyDegrees;
-        camera.near_default = 0.1f;
-        camera.far_default = 50.0f;
-        camera.reset();
+        course::StillLife::place(camera);
     }
     void draw(float aspect) override {
         camera.aspect = aspect;

@@ -70,12 +70,12 @@ course::Set& set() {
 
 const glm::vec3 none(0.0f);
 
-glm::mat4 projection(const FrameRequest& request, float fovyDegrees) {
+glm::mat4 projection(const FrameRequest& request, float fovyDegrees, float far = 50.0f) {
     const float aspect = float(request.width) / float(request.height);
-    return glm::perspective(glm::radians(fovyDegrees), aspect, 0.1f, 50.0f);
+    return glm::perspective(glm::radians(fovyDegrees), aspect, 0.1f, far);
 }
 
-// A picture of one term of (10.20). Shapes are placed in camera coordinates and only stretched
+// A picture of one term of (10.20). Shapes are placed in camera coordinates and not turned
 // there, so that their normals have the same components in the model; the one light shines along
 // the axis about which view turns, so that it has the same direction in the world. Thus a mistake
 // with normals or lights costs nothing here. The camera is somewhere else and turned all the same.
@@ -84,14 +84,16 @@ public:
     explicit TermPicture(const glm::vec3& axis)
         : view(glm::rotate(glm::translate(glm::mat4(1.0f), glm::vec3(0.4f, -0.7f, -2.0f)),
                            glm::radians(50.0f), axis)),
-          lights{light(glm::vec4(1000.0f * axis, 0.0f), {1.0f, 0.95f, 0.8f})} {}
+          lights{light(glm::vec4(100000.0f * axis, 0.0f), {1.0f, 0.95f, 0.8f})} {}
 
-    void add(Geometry& shape, const glm::vec3& where, const glm::vec3& size, Material& material) {
-        const glm::mat4 modelview = glm::scale(glm::translate(glm::mat4(1.0f), where), size);
+    // A shape that looks as if it were scaled by `size` and stood at `where` (camera coordinates).
+    // In truth it stands farther off, so that its normals keep their length.
+    void add(Geometry& shape, const glm::vec3& where, float size, Material& material) {
+        const glm::mat4 modelview = glm::translate(glm::mat4(1.0f), where / size);
         items.push_back({&shape, glm::inverse(view) * modelview, &material});
     }
     void draw(const FrameRequest& request) {
-        set().draw(view, projection(request, 26.0f), lights, items);
+        set().draw(view, projection(request, 26.0f, 300.0f), lights, items);
     }
 
     glm::vec4 eye() const { return glm::vec4(glm::vec3(glm::inverse(view)[3]), 1.0f); }
@@ -108,9 +110,9 @@ void drawAmbient(const FrameRequest& request) {
     Material red = material({0.9f, 0.3f, 0.2f}, none, none, none, 10);
     Material green = material({0.3f, 0.8f, 0.3f}, none, none, none, 10);
     Material blue = material({0.3f, 0.4f, 1.0f}, none, none, none, 10);
-    picture.add(set().sphere, {-1.0f, 0.45f, -6.0f}, glm::vec3(0.55f), red);
-    picture.add(set().cube, {0.65f, -0.55f, -6.0f}, {0.9f, 0.7f, 2.0f}, green);
-    picture.add(set().torus, {0.7f, 0.75f, -6.0f}, {0.6f, 0.6f, 0.6f}, blue);
+    picture.add(set().sphere, {-1.0f, 0.45f, -6.0f}, 0.55f, red);
+    picture.add(set().cube, {0.65f, -0.55f, -6.0f}, 0.85f, green);
+    picture.add(set().torus, {0.7f, 0.75f, -6.0f}, 0.6f, blue);
     picture.draw(request);
 }
 
@@ -119,9 +121,9 @@ void drawDiffuse(const FrameRequest& request) {
     Material clay = material(none, {0.85f, 0.5f, 0.35f}, none, none, 10);
     Material chalk = material(none, {0.9f, 0.95f, 1.0f}, none, none, 10);
     Material moss = material(none, {0.4f, 0.7f, 0.3f}, none, none, 10);
-    picture.add(set().sphere, {-1.0f, 0.45f, -6.0f}, glm::vec3(0.55f), moss);
-    picture.add(set().teapot, {0.6f, -0.55f, -6.0f}, glm::vec3(0.06f), clay);
-    picture.add(set().torus, {0.7f, 0.75f, -6.0f}, glm::vec3(0.6f), chalk);
+    picture.add(set().sphere, {-1.0f, 0.45f, -6.0f}, 0.55f, moss);
+    picture.add(set().sphere, {0.6f, -0.55f, -6.0f}, 0.65f, clay);
+    picture.add(set().torus, {0.7f, 0.75f, -6.0f}, 0.6f, chalk);
     picture.draw(request);
 }
 
@@ -131,11 +133,11 @@ void drawSpecular(const FrameRequest& request) {
     for (const float exponent : {6.0f, 10.0f, 20.0f, 50.0f, 12.0f}) {
         materials.push_back(material(none, none, {0.9f, 0.8f, 1.0f}, none, exponent));
     }
-    picture.add(set().sphere, {-1.1f, 0.6f, -6.0f}, glm::vec3(0.45f), materials[0]);
-    picture.add(set().sphere, {0.0f, 0.6f, -6.0f}, glm::vec3(0.45f), materials[1]);
-    picture.add(set().sphere, {1.1f, 0.6f, -6.0f}, glm::vec3(0.45f), materials[2]);
-    picture.add(set().sphere, {-0.9f, -0.6f, -5.5f}, glm::vec3(0.45f), materials[3]);
-    picture.add(set().teapot, {0.5f, -0.6f, -5.5f}, glm::vec3(0.05f), materials[4]);
+    picture.add(set().sphere, {-1.1f, 0.6f, -6.0f}, 0.45f, materials[0]);
+    picture.add(set().sphere, {0.0f, 0.6f, -6.0f}, 0.45f, materials[1]);
+    picture.add(set().sphere, {1.1f, 0.6f, -6.0f}, 0.45f, materials[2]);
+    picture.add(set().sphere, {-0.9f, -0.6f, -5.5f}, 0.45f, materials[3]);
+    picture.add(set().sphere, {0.5f, -0.6f, -5.5f}, 0.55f, materials[4]);
     picture.draw(request);
 }
 
@@ -145,16 +147,16 @@ void drawEmission(const FrameRequest& request) {
     Material ember = material(none, none, none, {0.8f, 0.3f, 0.1f}, 10);
     Material lamp = material(none, none, none, {0.7f, 0.7f, 0.55f}, 10);
     Material neon = material(none, none, none, {0.2f, 0.45f, 0.8f}, 10);
-    picture.add(set().teapot, {-0.7f, 0.5f, -6.0f}, glm::vec3(0.05f), ember);
-    picture.add(set().sphere, {0.9f, 0.45f, -6.0f}, {0.4f, 0.6f, 0.4f}, lamp);
-    picture.add(set().torus, {0.0f, -0.6f, -6.0f}, glm::vec3(0.8f), neon);
+    picture.add(set().teapot, {-0.7f, 0.5f, -6.0f}, 0.05f, ember);
+    picture.add(set().sphere, {0.9f, 0.45f, -6.0f}, 0.5f, lamp);
+    picture.add(set().torus, {0.0f, -0.6f, -6.0f}, 0.8f, neon);
     picture.draw(request);
 }
 
 glm::mat4 lookFrom(const glm::vec3& eye) {
     return glm::lookAt(eye, course::StillLife::target, glm::vec3(0.0f, 1.0f, 0.0f));
 }
-const glm::vec3 frontEye = course::StillLife::eye;
+const glm::vec3 frontEye(0.9f, 1.9f, 3.5f);
 
 using course::StillLife;
 
@@ -162,6 +164,18 @@ void drawStillLife(const FrameRequest& request, course::Set& all, const glm::vec
                    const Lights& lights, StillLife::Finish finish = StillLife::Finish::matt) {
     const glm::mat4 seen = projection(request, StillLife::fovyDegrees);
     StillLife(all, finish).draw(lookFrom(eye), seen, lights);
+}
+
+// The window after left, left, down.
+void drawLamps(const FrameRequest& request) {
+    Camera camera;
+    StillLife::place(camera);
+    camera.aspect = float(request.width) / float(request.height);
+    camera.rotateRight(10.0f);
+    camera.rotateRight(10.0f);
+    camera.rotateUp(10.0f);
+    camera.computeMatrices();
+    StillLife(set()).draw(camera.view, camera.proj, StillLife::lamps());
 }
 
 void drawOtherSide(const FrameRequest& request) {
@@ -225,9 +239,7 @@ CG_HARNESS(harness) {
     harness.frame("diffuse", [](const FrameRequest& request) { drawDiffuse(request); });
     harness.frame("specular", [](const FrameRequest& request) { drawSpecular(request); });
     harness.frame("emission", [](const FrameRequest& request) { drawEmission(request); });
-    harness.frame("lamps", [](const FrameRequest& request) {
-        drawStillLife(request, set(), frontEye, StillLife::lamps(), StillLife::Finish::shiny);
-    });
+    harness.frame("lamps", [](const FrameRequest& request) { drawLamps(request); });
     harness.frame("other-side", [](const FrameRequest& request) { drawOtherSide(request); });
     harness.frame("ten-lights", [](const FrameRequest& request) { drawTenLights(request); });
     harness.frame("seeded-lamps", [](const FrameRequest& request) { drawSeededLamps(request); });

@@ -49,6 +49,8 @@ Light light(const glm::vec4& position, const glm::vec3& color) {
 }
 
 void Set::init() {
+    sphere.slices = 144;  // fine enough to show a highlight even with unnormalised normals
+    sphere.stacks = 72;
     sphere.init();
     torus.init();
     cube.init();
@@ -86,9 +88,16 @@ void Set::draw(const glm::mat4& view, const glm::mat4& projection, const std::ve
     }
 }
 
-glm::vec3 StillLife::up() {
-    const glm::vec3 z = glm::normalize(eye - target), y(0.0f, 1.0f, 0.0f);
-    return glm::normalize(y - glm::dot(y, z) * z);
+void StillLife::place(Camera& camera) {
+    camera.eye_default = glm::vec3(0.9f, 1.9f, 3.5f);
+    camera.target_default = target;
+    // Upright, and orthogonal to the line of sight.
+    const glm::vec3 z = glm::normalize(camera.eye_default - target), y(0.0f, 1.0f, 0.0f);
+    camera.up_default = glm::normalize(y - glm::dot(y, z) * z);
+    camera.fovy_default = fovyDegrees;
+    camera.near_default = 0.1f;
+    camera.far_default = 50.0f;
+    camera.reset();
 }
 
 std::vector<Light> StillLife::lamps() {

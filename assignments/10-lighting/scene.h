@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "Camera.h"
 #include "Cube.h"
 #include "Light.h"
 #include "Material.h"
@@ -59,11 +60,11 @@ public:
 /// a small glowing cube at each lamp. Matrices are in world coordinates, y is up.
 class StillLife {
 public:
-    // Where the window starts.
-    static inline const glm::vec3 eye{0.9f, 1.9f, 3.5f};
     static inline const glm::vec3 target{0.1f, 0.15f, 0.05f};
     static constexpr float fovyDegrees = 33.0f;
-    static glm::vec3 up();  ///< upright, and orthogonal to the line of sight
+
+    /// Puts a camera where the window starts.
+    static void place(Camera& camera);
 
     /// Matt things show no highlight, and so none where a light does not reach: the notes leave
     /// open whether there is one.

@@ -1,5 +1,6 @@
 // The cycle guard of Scene::draw. Each cycle is asked for after the same scene without its last
 // edge: whoever draws nothing at all has guarded nothing. Where models are is another task's.
+#include <algorithm>
 #include <map>
 
 #include "graph.h"

@@ -1,6 +1,8 @@
 // Compares what Scene::draw drew with what it has to draw, in whatever order.
 #pragma once
 
+#include <algorithm>
+
 #include "graph.h"
 
 namespace truth {

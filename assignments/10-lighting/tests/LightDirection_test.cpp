@@ -23,7 +23,7 @@ std::vector<Trial> surfacesUnder(const Scene& scene, const vec4& light) {
     for (const vec3& axis : axes) {
         Trial s;
         s.view = scene.view;
-        s.modelview = rigid(-60.0f, axis, {0.3f, 0.8f, -2.0f});
+        s.modelview = rigid(-60.0f, axis, vec3(0.0f));
         addFragment(s, scene.p, axis);
         s.diffuse = {1.0f, 0.0f, 0.0f};
         s.specular = {0.0f, 1.0f, 0.0f};

@@ -19,7 +19,8 @@ Trial straightOn(Family family, const vec3& axis, float lightDegrees, float shin
 
 // Lit straight on: l = n.
 Trial litStraightOn(Family family, const vec3& axis, float viewDegrees, float shininess) {
-    Trial s = bench(family, axis, leaning(axis, aside, viewDegrees), axis);
+    Trial s = bench(family, axis, leaning(axis, aside, viewDegrees), axis, vec3(1.0f),
+                    {-0.7f, 0.6f, -3.1f});
     s.specular = vec3(0.9f);
     s.shininess = shininess;
     return s;

@@ -157,12 +157,13 @@ inline Lamp lamp(const Trial& s, Family family, const vec3& p, const vec3& l, co
 }
 
 /// One fragment with unit normal n, seen along v and lit along l (camera coordinates), 4 units away
-/// from the camera. view and modelview turn about n.
+/// from the camera. view and modelview turn about n; the model's origin is at `shift`, as a rule in
+/// the camera itself, so that a normal that picks up the model's place is wrong elsewhere.
 inline Trial bench(Family family, const vec3& n, const vec3& v, const vec3& l,
-                   const vec3& color = vec3(1.0f)) {
+                   const vec3& color = vec3(1.0f), const vec3& shift = vec3(0.0f)) {
     Trial s;
     s.view = rigid(65.0f, n, {0.4f, -0.9f, -1.3f});
-    s.modelview = rigid(-50.0f, n, {-0.7f, 0.6f, -3.1f});
+    s.modelview = rigid(-50.0f, n, shift);
     const vec3 p = -4.0f * v;
     addFragment(s, p, n);
     s.lights = {lamp(s, family, p, l, color)};

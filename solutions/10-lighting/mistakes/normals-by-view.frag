@@ -1,4 +1,0 @@
-// The surface's unit normal in camera coordinates, (7.41).
-vec3 surfaceNormal() {
-    return normalize(mat3(view) * normal);
-}
