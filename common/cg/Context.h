@@ -48,7 +48,7 @@ protected:
     /// Throws cg::Error unless both are 1 to 16384.
     Context(int width, int height);
 
-    /// The framebuffer object that holds the picture; 0 is the context's own.
+    /// The framebuffer object that holds the picture; 0 is the context's own surface.
     virtual unsigned framebuffer() const { return 0; }
 
     void becomeCurrent();  ///< a provider calls this when makeCurrent() succeeded

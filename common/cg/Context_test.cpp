@@ -25,7 +25,7 @@ TEST_F(ContextTest, IsACoreContextOnTheCpu) {
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     EXPECT_EQ(profile, GL_CONTEXT_CORE_PROFILE_BIT);
     GLint depthBits = 0;
-    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH,
+    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                                           GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &depthBits);
     EXPECT_EQ(depthBits, 24);
 }

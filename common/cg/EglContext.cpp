@@ -1,11 +1,12 @@
 #include <cg/EglContext.h>
 #include <cg/Error.h>
-#include <cg/gl.h>
+#include <cg/FramebufferObject.h>
 
 #include <dlfcn.h>
 
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 
 namespace cg {
 namespace {
@@ -71,8 +72,7 @@ const Library& egl() {
 /// One display for all contexts of a process; it stays open until the process ends.
 Handle display() {
     static const Handle opened = [] {
-        const Handle handle =
-            egl().getPlatformDisplay(PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+        const Handle handle = egl().getPlatformDisplay(PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
         if (handle == nullptr || egl().initialize(handle, nullptr, nullptr) == 0) {
             throw Error("EGL has no surfaceless display: install libegl-mesa0");
         }
@@ -85,7 +85,7 @@ class EglContext : public Context {
 public:
     EglContext(int width, int height) : Context(width, height) {
         egl().bindApi(OPENGL_API);
-        const std::int32_t attributes[] = {MAJOR_VERSION, 3,    MINOR_VERSION, 3, PROFILE_MASK,
+        const std::int32_t attributes[] = {MAJOR_VERSION,    3,   MINOR_VERSION, 3, PROFILE_MASK,
                                            CORE_PROFILE_BIT, NONE};
         handle_ = egl().createContext(display(), nullptr, nullptr, attributes);
         if (handle_ == nullptr) {
@@ -107,15 +107,15 @@ public:
             throw Error("EGL refuses to make its context current");
         }
         becomeCurrent();
-        if (framebuffer_ == 0) {
-            makeFramebuffer();
+        if (picture_.name() == 0) {
+            picture_.make();
         }
     }
 
     void resizeFramebuffer(int newWidth, int newHeight) override {
         resize(newWidth, newHeight);
         makeCurrent();
-        makeFramebuffer();
+        picture_.make();
     }
 
     void* function(const char* name) const override {
@@ -124,45 +124,11 @@ public:
     }
 
 protected:
-    unsigned framebuffer() const override { return framebuffer_; }
+    unsigned framebuffer() const override { return picture_.name(); }
 
 private:
-    template <class Function>
-    Function gl(const char* name) const {
-        return reinterpret_cast<Function>(function(name));
-    }
-
-    /// A framebuffer object of the context's size, bound; the former one is deleted.
-    void makeFramebuffer() {
-        const auto genRenderbuffers = gl<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers");
-        const auto bindRenderbuffer = gl<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer");
-        const auto storage = gl<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage");
-        const auto attach = gl<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer");
-        if (framebuffer_ != 0) {
-            gl<PFNGLDELETEFRAMEBUFFERSPROC>("glDeleteFramebuffers")(1, &framebuffer_);
-            gl<PFNGLDELETERENDERBUFFERSPROC>("glDeleteRenderbuffers")(2, renderbuffers_);
-        }
-        gl<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &framebuffer_);
-        gl<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, framebuffer_);
-        genRenderbuffers(2, renderbuffers_);
-        const GLenum formats[] = {GL_RGBA8, GL_DEPTH24_STENCIL8};
-        const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT};
-        for (int i = 0; i < 2; ++i) {
-            bindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[i]);
-            storage(GL_RENDERBUFFER, formats[i], width(), height());
-            attach(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, renderbuffers_[i]);
-        }
-        const auto check = gl<PFNGLCHECKFRAMEBUFFERSTATUSPROC>("glCheckFramebufferStatus");
-        if (check(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            throw Error("EGL gives no framebuffer of " + std::to_string(width()) + " x " +
-                        std::to_string(height()) + " pixels");
-        }
-        gl<PFNGLVIEWPORTPROC>("glViewport")(0, 0, width(), height());
-    }
-
     Handle handle_ = nullptr;
-    GLuint framebuffer_ = 0;
-    GLuint renderbuffers_[2] = {};
+    FramebufferObject picture_{*this};
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cg/Error.h>
+#include <cg/FramebufferObject.h>
 #include <cg/OsMesaContext.h>
 
 #include <dlfcn.h>
@@ -91,15 +92,22 @@ public:
                         std::to_string(height()) + " pixels");
         }
         becomeCurrent();
+        if (picture_.name() == 0) {
+            picture_.make();
+        }
     }
 
     void resizeFramebuffer(int newWidth, int newHeight) override {
         resize(newWidth, newHeight);
         fitBuffer();
         makeCurrent();
+        picture_.make();
     }
 
     void* function(const char* name) const override { return osMesa().function(name); }
+
+protected:
+    unsigned framebuffer() const override { return picture_.name(); }
 
 private:
     void fitBuffer() {
@@ -107,7 +115,8 @@ private:
     }
 
     OsMesaHandle* handle_;
-    std::vector<std::uint8_t> buffer_;
+    std::vector<std::uint8_t> buffer_;  ///< OSMesa asks for one; the picture is drawn elsewhere
+    FramebufferObject picture_{*this};
 };
 
 }  // namespace

@@ -40,18 +40,18 @@ TEST_F(ShaderProbeTest, FragmentValuesAreUnclampedAndInOrder) {
         cg::probeFragment(path, {{"position", positions}, {"normal", normals}}, uniforms);
     ASSERT_EQ(got.size(), 300u);
     for (int i = 0; i < 300; ++i) {
-        EXPECT_EQ(got[std::size_t(i)], glm::vec4(-984.375f * float(i), 984.375f * float(i),
-                                                 -984.375f * 0.5f, i));
+        EXPECT_EQ(got[std::size_t(i)],
+                  glm::vec4(-984.375f * float(i), 984.375f * float(i), -984.375f * 0.5f, i));
     }
 }
 
 TEST_F(ShaderProbeTest, UniformsOfEveryKindArrive) {
-    const std::string path = file(
-        "sum.frag",
-        "#version 330 core\nin float x;\nuniform int n;\nuniform bool on;\nuniform vec2 b;\n"
-        "uniform vec3 c;\nuniform vec4 d[3];\nuniform mat3 m;\nuniform mat4 k;\nout vec4 r;\n"
-        "void main() { r = vec4(x + float(n) + (on ? 1.0 : 0.0), b.y + c.z, d[2].w, m[2].x + "
-        "k[3].y); }\n");
+    const std::string path =
+        file("sum.frag",
+             "#version 330 core\nin float x;\nuniform int n;\nuniform bool on;\nuniform vec2 b;\n"
+             "uniform vec3 c;\nuniform vec4 d[3];\nuniform mat3 m;\nuniform mat4 k;\nout vec4 r;\n"
+             "void main() { r = vec4(x + float(n) + (on ? 1.0 : 0.0), b.y + c.z, d[2].w, m[2].x + "
+             "k[3].y); }\n");
     Uniforms uniforms;
     uniforms.ints = {{"n", 7}, {"on", 1}};
     uniforms.vec2s["b"] = {0, 2};
@@ -95,10 +95,12 @@ TEST_F(ShaderProbeTest, AVaryingOfAVertexShaderIsRead) {
 
 TEST_F(ShaderProbeTest, AFloatPictureHasRowZeroAtTheTop) {
     const std::string vertex =
-        file("v.vert", "#version 330 core\nlayout(location = 0) in vec2 p;\nout vec2 q;\n"
-                       "void main() { q = p; gl_Position = vec4(p, 0.0, 1.0); }\n");
-    const std::string fragment = file("f.frag", "#version 330 core\nin vec2 q;\nout vec4 c;\n"
-                                                "void main() { c = vec4(10.0 * q, 0.0, 1.0); }\n");
+        file("v.vert",
+             "#version 330 core\nlayout(location = 0) in vec2 p;\nout vec2 q;\n"
+             "void main() { q = p; gl_Position = vec4(p, 0.0, 1.0); }\n");
+    const std::string fragment = file("f.frag",
+                                      "#version 330 core\nin vec2 q;\nout vec4 c;\n"
+                                      "void main() { c = vec4(10.0 * q, 0.0, 1.0); }\n");
     const Values got = cg::renderFloat(vertex, fragment, 4, 2, {});
     ASSERT_EQ(got.size(), 8u);
     EXPECT_NEAR(got[0].x, -7.5f, 1e-4f);
@@ -112,18 +114,20 @@ TEST_F(ShaderProbeTest, ErrorsKeepTheAuthorsOwnLineNumbers) {
                                   "// a comment\n#version 330 core\nout vec4 c;\n"
                                   "float f(float x) {\n    return 0f * x;\n}\n"
                                   "void main() { c = vec4(f(1.0)); }\n");
-    const std::string text = cg::messageOf<cg::GlslError>(
-        [&] { cg::probeFunction(path, "f", "vec4(f(a.x))", {{0, 0, 0, 0}}, {}); });
+    const std::string text = cg::messageOf<cg::GlslError>([&] {
+        cg::probeFunction(path, "f", "vec4(f(a.x))", {{0, 0, 0, 0}}, {});
+    });
     EXPECT_NE(text.find("wrong.frag:5: "), std::string::npos) << text;
     EXPECT_NE(text.find("hint: a float has a decimal point"), std::string::npos) << text;
 }
 
 TEST_F(ShaderProbeTest, AnUnfilledRegionIsReported) {
     cg::clearTodos();
-    const std::string path = file(
-        "todo.frag", "#version 330 core\nuniform float cg_todo_many_lights;\nin float x;\n"
-                     "uniform float cg_todo_unused;\nout vec4 c;\n"
-                     "void main() { c = vec4(x + cg_todo_many_lights); }\n");
+    const std::string path =
+        file("todo.frag",
+             "#version 330 core\nuniform float cg_todo_many_lights;\nin float x;\n"
+             "uniform float cg_todo_unused;\nout vec4 c;\n"
+             "void main() { c = vec4(x + cg_todo_many_lights); }\n");
     EXPECT_EQ(cg::probeFragment(path, {{"x", {glm::vec4(2)}}}, {}).at(0), glm::vec4(2));
     EXPECT_EQ(cg::reachedTodos(), std::vector<std::string>{"many-lights"});
     cg::clearTodos();
@@ -131,13 +135,15 @@ TEST_F(ShaderProbeTest, AnUnfilledRegionIsReported) {
 
 TEST_F(ShaderProbeTest, FramebufferAndViewportAreAsBefore) {
     glViewport(1, 2, 30, 20);
+    GLint before = -1;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
     const std::string path =
         file("c.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
     cg::probeFragment(path, {{"x", {glm::vec4(0)}}}, {});
     GLint framebuffer = -1, viewport[4] = {};
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
     glGetIntegerv(GL_VIEWPORT, viewport);
-    EXPECT_EQ(framebuffer, 0);
+    EXPECT_EQ(framebuffer, before);
     EXPECT_EQ(viewport[0], 1);
     EXPECT_EQ(viewport[3], 20);
 }
