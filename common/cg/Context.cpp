@@ -83,7 +83,8 @@ bool Context::isCurrent() const {
 }
 
 void Context::resizeFramebuffer(int, int) {
-    throw Error(std::string("a framebuffer of ") + provider() + " cannot be resized by the program");
+    throw Error(std::string("a framebuffer of ") + provider() +
+                " cannot be resized by the program");
 }
 
 void Context::resize(int width, int height) {

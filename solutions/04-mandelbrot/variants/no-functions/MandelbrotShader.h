@@ -5,9 +5,12 @@
 
 class MandelbrotShader : public Shader {
 public:
-    glm::vec2 center = glm::vec2(0.0, 0.0); GLuint center_loc;
-    GLfloat zoom = 2.0; GLuint zoom_loc;
-    GLint maxiter = 100; GLuint maxiter_loc;
+    glm::vec2 center = glm::vec2(0.0, 0.0);
+    GLuint center_loc;
+    GLfloat zoom = 2.0;
+    GLuint zoom_loc;
+    GLint maxiter = 100;
+    GLuint maxiter_loc;
     void initUniforms() {
         center_loc = glGetUniformLocation(program, "center");
         zoom_loc = glGetUniformLocation(program, "zoom");
