@@ -293,7 +293,7 @@ while IFS=: read -r name doubt; do
     [[ -n $doubt ]] || expect_silence
 done <<'END'
 debian 12:
-debian 13:nobody has tried them there
+debian 13:tried on debian 13 once
 ubuntu 24.04:nobody has tried them there
 fedora 40:are Debian's
 END

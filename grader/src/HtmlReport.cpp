@@ -104,7 +104,8 @@ std::string checkRow(const CheckResult& check, const fs::path& folder) {
                     status == "not_implemented" ? "not implemented" : status, escaped(check.title));
     if (!check.message.empty())
         html += fmt::format("<div class=\"message\">{}</div>", escaped(check.message));
-    if (!check.hint.empty() && check.status != Status::notImplemented)
+    if (!check.hint.empty() && check.status != Status::notImplemented &&
+        check.status != Status::buildError)
         html += fmt::format("<div class=\"hint\">Hint: {}</div>", escaped(check.hint));
     html += picturesOf(check, folder);
     return html + fmt::format("</td><td class=\"points\">{}</td></tr>\n",

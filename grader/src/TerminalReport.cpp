@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace grader {
@@ -147,7 +148,18 @@ void writeDiagnostics(Writer& out, const AssignmentResult& result) {
                                           errors - kMostDiagnostics));
 }
 
-void writeTask(Writer& out, const TaskResult& task) {
+/// A shader that does not compile fails every check that uses it: its log is told once.
+void writeShaderError(Writer& out, const CheckResult& check, std::set<std::string>& told) {
+    if (!told.insert(check.message).second)
+        return;
+    std::istringstream lines(check.message);
+    const char* lead = "    ✗ ";
+    for (std::string line; std::getline(lines, line); lead = "      ")
+        out.paragraph(lead, line);
+}
+
+/// `told`: shader errors that were written before.
+void writeTask(Writer& out, const TaskResult& task, std::set<std::string>& told) {
     const Mark mark = markOf(task.status);
     out.row(fmt::format("  {} {:<16} {}", mark.symbol, task.id, task.title),
             scoreText(task.points, task.maxPoints), mark.colour);
@@ -160,6 +172,10 @@ void writeTask(Writer& out, const TaskResult& task) {
     for (const CheckResult& check : task.checks) {
         if (check.full())
             continue;
+        if (check.status == Status::buildError) {
+            writeShaderError(out, check, told);
+            continue;
+        }
         out.paragraph(fmt::format("    {} ", markOf(check.status).symbol),
                       check.title + ": " + check.message);
         if (!check.hint.empty() && check.hint != hint && check.status != Status::notImplemented &&
@@ -195,8 +211,9 @@ std::string terminalReport(const AssignmentResult& result, const TerminalStyle& 
         writeDiagnostics(out, result);
         return out.take();
     }
+    std::set<std::string> told;
     for (const TaskResult& task : result.tasks)
-        writeTask(out, task);
+        writeTask(out, task, told);
     if (result.graderFailed())
         out.paragraph("  ! ",
                       "The grader itself failed above; that is not your mistake. Please "
