@@ -52,9 +52,9 @@ void mustRun(const std::vector<std::string>& command, int worstExitCode = 0) {
 
 class Bench {
 public:
-    Bench()
+    explicit Bench(const std::string& assignment)
         : tools_(Toolchain::load()),
-          manifest_(loadAssignment(tools_.root, kAssignment)),
+          manifest_(loadAssignment(tools_.root, assignment)),
           plain_(makePlainProcess()),
           observer_(tools_, *plain_, "auto"),
           grader_(tools_, *plain_) {
