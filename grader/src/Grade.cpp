@@ -183,7 +183,7 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
 
 void Grader::judgeFrames(const Manifest& manifest, Frames frames, std::uint64_t seed,
                          std::vector<CheckResult>& checks) const {
-    const auto known = references(manifest, seed);
+    const References& known = references(manifest, seed);
     for (const Frame& frame : manifest.frames) {
         CheckResult check = checkOf(manifest, frame);
         const Reference& reference = known.at(frame.id);
@@ -193,22 +193,35 @@ void Grader::judgeFrames(const Manifest& manifest, Frames frames, std::uint64_t 
     }
 }
 
-std::map<std::string, Grader::Reference> Grader::references(const Manifest& manifest,
-                                                            std::uint64_t seed) const {
-    std::map<std::string, Reference> all;
-    if (seed != kPublishedSeed) {
-        // Nothing is stored for such a seed: the solution draws the references now.
-        if (!fs::exists(tools_.root / "solutions" / manifest.id))
-            throw Error(
-                "seed {} needs solutions/{}, which is not here: only seed {} has stored "
-                "references",
-                seed, manifest.id, kPublishedSeed);
-        auto pictures = draw(manifest, stageOf(manifest, "solutions"), seed);
-        auto starters = draw(manifest, stageOf(manifest, "assignments"), seed);
-        for (const Frame& frame : manifest.frames)
-            all[frame.id] = {std::move(pictures[frame.id]), std::move(starters[frame.id])};
-        return all;
-    }
+const Grader::References& Grader::references(const Manifest& manifest, std::uint64_t seed) const {
+    const std::scoped_lock lock(referencesMutex_);
+    auto known = references_.find({manifest.id, seed});
+    if (known == references_.end())
+        known = references_
+                    .emplace(std::pair{manifest.id, seed}, seed == kPublishedSeed
+                                                               ? loadReferences(manifest)
+                                                               : drawReferences(manifest, seed))
+                    .first;
+    return known->second;
+}
+
+/// Nothing is stored for a seed that is not published: the solution draws the references now.
+Grader::References Grader::drawReferences(const Manifest& manifest, std::uint64_t seed) const {
+    if (!fs::exists(tools_.root / "solutions" / manifest.id))
+        throw Error(
+            "seed {} needs solutions/{}, which is not here: only seed {} has stored "
+            "references",
+            seed, manifest.id, kPublishedSeed);
+    References all;
+    auto pictures = draw(manifest, stageOf(manifest, "solutions"), seed);
+    auto starters = draw(manifest, stageOf(manifest, "assignments"), seed);
+    for (const Frame& frame : manifest.frames)
+        all[frame.id] = {std::move(pictures[frame.id]), std::move(starters[frame.id])};
+    return all;
+}
+
+Grader::References Grader::loadReferences(const Manifest& manifest) const {
+    References all;
     const fs::path folder = tools_.root / "reference_images" / manifest.id;
     for (const Frame& frame : manifest.frames) {
         Reference& reference = all[frame.id];

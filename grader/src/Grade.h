@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mutex>
+
 #include "Observe.h"
 #include "Result.h"
 
@@ -44,7 +46,10 @@ private:
     struct Reference {
         Picture picture, starter;
     };
-    std::map<std::string, Reference> references(const Manifest& manifest, std::uint64_t seed) const;
+    using References = std::map<std::string, Reference>;  // by frame
+    const References& references(const Manifest& manifest, std::uint64_t seed) const;
+    References loadReferences(const Manifest& manifest) const;
+    References drawReferences(const Manifest& manifest, std::uint64_t seed) const;
     std::vector<CheckResult> unjudged(const Manifest& manifest) const;
     void fillIn(AssignmentResult& result, const StageResult& graded, std::uint64_t seed) const;
 
@@ -52,6 +57,8 @@ private:
     const Sandbox& sandbox_;
     Builder builder_;
     Observer observer_;
+    mutable std::mutex referencesMutex_;
+    mutable std::map<std::pair<std::string, std::uint64_t>, References> references_;
 };
 
 }  // namespace grader

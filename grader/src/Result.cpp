@@ -42,6 +42,21 @@ Json jsonOf(const Diagnostic& each) {
             {"message", each.message}};
 }
 
+Json jsonOf(const FeatureResult& feature) {
+    return {{"id", feature.id},
+            {"title", feature.title},
+            {"points", rounded(feature.points)},
+            {"max_points", rounded(feature.maxPoints)},
+            {"message", feature.message}};
+}
+
+Json jsonOf(const Comparison& comparison) {
+    return {{"what", comparison.what},
+            {"expected", comparison.expected},
+            {"got", comparison.got},
+            {"tolerance", comparison.tolerance}};
+}
+
 Json jsonOf(const CheckResult& check) {
     Json json = {{"id", check.id},
                  {"kind", check.kind},
@@ -51,6 +66,10 @@ Json jsonOf(const CheckResult& check) {
                  {"max_points", rounded(check.maxPoints)},
                  {"message", check.message},
                  {"hint", check.hint}};
+    if (check.comparison)
+        json["comparison"] = jsonOf(*check.comparison);
+    for (const FeatureResult& feature : check.features)
+        json["features"].push_back(jsonOf(feature));
     for (const char* name : {"submission", "reference", "difference"})
         if (const auto path = check.imagePaths.find(name); path != check.imagePaths.end())
             json["images"][name] = path->second;
@@ -66,6 +85,10 @@ Json jsonOf(const TaskResult& task) {
                  {"checks", Json::array()}};
     for (const CheckResult& check : task.checks)
         json["checks"].push_back(jsonOf(check));
+    if (task.recognised)
+        json["recognised"] = {{"mistakes", task.recognised->mistakes},
+                              {"says", task.recognised->says},
+                              {"section", task.recognised->section}};
     return json;
 }
 
@@ -143,7 +166,7 @@ bool AssignmentResult::graderFailed() const {
 std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks) {
     std::vector<TaskResult> tasks;
     for (const Task& task : manifest.tasks) {
-        TaskResult result{task.id, task.title, 0, task.points, Status::graderError, {}};
+        TaskResult result{task.id, task.title, 0, task.points, Status::graderError, {}, {}};
         for (CheckResult& check : checks)
             if (check.task == task.id)
                 result.checks.push_back(std::move(check));

@@ -21,6 +21,28 @@ struct FramePictures {
     FrameScore score;
 };
 
+/// A vector or matrix that a test compared and found wrong.
+struct Comparison {
+    std::string what;                                ///< "rotation(50, (1, 2, 3))"
+    std::vector<std::vector<double>> expected, got;  ///< by rows; a vector is one column
+    double tolerance = 0;                            ///< largest difference that still agrees
+};
+
+/// What one feature of a frame earned, see FORMAT.md.
+struct FeatureResult {
+    std::string id, title;
+    double points = 0, maxPoints = 0;
+    std::string message;  ///< one sentence: how near, in which part of the picture
+    Picture mask;         ///< white where the feature shows; empty without pictures
+};
+
+/// A known mistake that explains what a task lost.
+struct Recognised {
+    std::vector<std::string> mistakes;  ///< ids; several when they cannot be told apart
+    std::string says;                   ///< to the student
+    std::string section;                ///< of the notes, to read again
+};
+
 struct CheckResult {
     std::string id;    ///< "RotateUp.KeepsTheTarget", or the frame's id
     std::string kind;  ///< "test" or "frame"
@@ -31,6 +53,8 @@ struct CheckResult {
     std::string message;  ///< one sentence on what was lost; empty for a full check
     std::string hint;
     std::vector<std::string> todos;  ///< unfilled regions that were reached
+    std::optional<Comparison> comparison;
+    std::vector<FeatureResult> features;  ///< of a frame whose points belong to features
     std::optional<FramePictures> pictures;
     std::map<std::string, std::string> imagePaths;  ///< set once the pictures are written
 
@@ -42,6 +66,7 @@ struct TaskResult {
     double points = 0, maxPoints = 0;
     Status status = Status::graderError;
     std::vector<CheckResult> checks;
+    std::optional<Recognised> recognised;
 };
 
 struct Environment {

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
+    grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));
     } catch (const CLI::ParseError& error) {

@@ -23,7 +23,7 @@ inline grader::CheckResult check(const std::string& id, grader::Status status, d
 
 inline grader::TaskResult task(const std::string& id, grader::Status status,
                                std::vector<grader::CheckResult> checks) {
-    grader::TaskResult result{id, "Task " + id, 0, 0, status, std::move(checks)};
+    grader::TaskResult result{id, "Task " + id, 0, 0, status, std::move(checks), {}};
     for (const auto& each : result.checks) {
         result.points += each.points;
         result.maxPoints += each.maxPoints;

@@ -9,6 +9,7 @@
 #include "Error.h"
 #include "Fields.h"
 #include "Grade.h"
+#include "Mistakes.h"
 #include "Prerequisites.h"
 #include "Regions.h"
 #include "commands/CourseCommands.h"
@@ -19,33 +20,6 @@ namespace grader {
 namespace {
 
 constexpr std::uint64_t kPublishedSeed = 1;
-
-/// A wrong but plausible body of one TODO region, from solutions/NN/mistakes.json.
-struct Mistake {
-    std::string id, region, file, says, section, body;
-    std::set<std::string> loses;  ///< ids of the tasks that lose points
-};
-
-std::vector<Mistake> readMistakes(const fs::path& solution) {
-    const std::string file = (solution / "mistakes.json").string();
-    const Json json = parseJsonFile(file);
-    std::vector<Mistake> mistakes;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        Fields fields(json.at(i), fmt::format("{}: [{}]", file, i));
-        Mistake mistake;
-        mistake.id = fields.get<std::string>("id");
-        mistake.region = fields.get<std::string>("region");
-        mistake.file = fields.get<std::string>("file");
-        mistake.says = fields.get<std::string>("says");
-        mistake.section = fields.get<std::string>("section");
-        mistake.loses = fields.get<std::set<std::string>>("loses");
-        fields.done();
-        mistake.body = readFile(solution / "mistakes" /
-                                (mistake.id + fs::path(mistake.file).extension().string()));
-        mistakes.push_back(std::move(mistake));
-    }
-    return mistakes;
-}
 
 class CourseCheck {
 public:
@@ -195,31 +169,14 @@ private:
             for (const CheckResult& check : result.checks)
                 if (!check.full())
                     undetected.erase(check.id);
-            compareLosses(mistake, result.checks);
+            for (const std::string& each : unexpectedLosses(mistake, result.checks))
+                finding("{}", each);
         }
         for (const Task& task : manifest.tasks)
             if (perTask[task.id] < 4)
                 finding("task {} has {} mistakes, expected at least 4", task.id, perTask[task.id]);
         for (const std::string& id : undetected)
             finding("no mistake fails {}: a check that nothing fails proves nothing", id);
-    }
-
-    void compareLosses(const Mistake& mistake, const std::vector<CheckResult>& checks) {
-        std::map<std::string, std::string> lost;
-        for (const CheckResult& check : checks)
-            if (!check.full() && !lost[check.task].size())
-                lost[check.task] = check.id + ": " + check.message;
-        std::erase_if(lost, [](const auto& each) { return each.second.empty(); });
-        if (!mistake.loses.contains(mistake.region))
-            finding("mistake {}: \"loses\" must name its own task {}", mistake.id, mistake.region);
-        for (const std::string& task : mistake.loses)
-            if (!lost.contains(task))
-                finding("mistake {} loses nothing in {}: no check there tells it from right",
-                        mistake.id, task);
-        for (const auto& [task, why] : lost)
-            if (!mistake.loses.contains(task))
-                finding("mistake {} also loses in {}, which its entry does not name: {}",
-                        mistake.id, task, why);
     }
 
     /// References are what the solutions draw today.

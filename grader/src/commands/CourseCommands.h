@@ -10,4 +10,8 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode);
 /// `grader check-course [ASSIGNMENT…]`: proves starters, solutions and mistakes consistent.
 void addCheckCourseCommand(CLI::App& app, int& exitCode);
 
+/// `grader check-recognition [ASSIGNMENT…]`: second versions of all mistakes are recognised, right
+/// programs are not accused.
+void addCheckRecognitionCommand(CLI::App& app, int& exitCode);
+
 }  // namespace grader
