@@ -92,8 +92,8 @@ std::string picturesOf(const CheckResult& check, const fs::path& folder) {
         return html + "</div><p class=\"numbers\">Shown to look at; no points depend on it.</p>\n";
     html += fmt::format(
         "</div><p class=\"numbers\">{:.3f} % of the pixels differ; mean error {:.4f} "
-        "(a picture with nothing done: {:.4f}); score {:.3f}</p>\n",
-        100 * score.outliers, score.meanError, score.baseline, score.score);
+        "(skill {:.3f}); score {:.3f}</p>\n",
+        100 * score.outliers, score.meanError, score.skill, score.score);
     return html;
 }
 
