@@ -28,8 +28,10 @@ grader_add_unit_tests(grader_unit_tests
         runner/SeededValues_test.cpp
         subject/Judge.cpp subject/Judge_test.cpp subject/ProcessSubject_test.cpp
         subject/Status_test.cpp
-        src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp src/HtmlReport_test.cpp
+        src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
-        src/Result_test.cpp src/Sandbox_test.cpp src/TerminalReport_test.cpp
+        src/Result_test.cpp src/Sandbox_test.cpp
         src/compare/FrameScore_test.cpp
+        src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
+        src/report/TerminalReport_test.cpp src/report/Words_test.cpp
     LINK grader_core)
