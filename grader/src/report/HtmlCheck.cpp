@@ -71,8 +71,17 @@ std::string frameOf(const CheckResult& check, const std::string& assignment,
            featuresOf(check, assignment, folder) + (drawn ? numbersOf(check) : "") + "</div>\n";
 }
 
+/// Whether a message says only what the matrices show better.
+bool isShownByMatrices(const CheckResult& check) {
+    const std::string got = ", got ";
+    const auto at = check.message.find(got);
+    return check.comparison && at != std::string::npos &&
+           check.message.starts_with(check.comparison->what + ": expected ") &&
+           check.message.find_first_of("([", at) == at + got.size();
+}
+
 std::string messageOf(const CheckResult& check) {
-    if (check.message.empty())
+    if (check.message.empty() || isShownByMatrices(check))
         return "";
     return fmt::format("<p class=\"message{}\">{}</p>\n",
                        check.status == Status::buildError ? " log" : "", escaped(check.message));
@@ -92,11 +101,13 @@ std::string summaryOf(const CheckResult& check) {
 }  // namespace
 
 std::string lostCheck(const CheckResult& check, const std::string& assignment,
-                      const fs::path& folder, bool open) {
+                      const fs::path& folder, bool open, bool withHint) {
     return fmt::format("<details class=\"check {}\"{}>{}<div class=\"inside\">",
                        judge::toString(check.status), open ? " open" : "", summaryOf(check)) +
            messageOf(check) + (check.comparison ? comparisonOf(*check.comparison) : "") +
-           (wantsHint(check) ? "<p class=\"hint\">Hint: " + escaped(check.hint) + "</p>\n" : "") +
+           (withHint && wantsHint(check)
+                ? "<p class=\"hint\">Hint: " + escaped(check.hint) + "</p>\n"
+                : "") +
            frameOf(check, assignment, folder) + "</div></details>\n";
 }
 

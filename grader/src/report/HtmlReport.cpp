@@ -67,17 +67,19 @@ std::string recognisedOf(const TaskResult& task) {
 /// Frames first: they are to be looked at. Of the tests the first lies open.
 std::string lostChecksOf(const TaskResult& task, const AssignmentResult& result,
                          const fs::path& folder) {
-    std::string frames, tests;
-    for (const CheckResult& check : task.checks) {
-        if (check.full())
-            continue;
-        const bool begun = check.status != Status::notImplemented;
-        if (check.kind == "frame")
-            frames += lostCheck(check, result.assignment, folder, begun);
-        else
-            tests += lostCheck(check, result.assignment, folder, begun && tests.empty());
-    }
-    return frames + tests;
+    std::string html, hint;
+    bool testLiesOpen = false;
+    for (const std::string kind : {"frame", "test"})
+        for (const CheckResult& check : task.checks) {
+            if (check.full() || check.kind != kind)
+                continue;
+            const bool open = check.status != Status::notImplemented && !testLiesOpen;
+            testLiesOpen = testLiesOpen || (open && kind == "test");
+            html += lostCheck(check, result.assignment, folder, open, !open || check.hint != hint);
+            if (open)
+                hint = check.hint;
+        }
+    return html;
 }
 
 std::string fullChecksOf(const TaskResult& task, const AssignmentResult& result,
@@ -109,6 +111,8 @@ std::string taskOf(const TaskResult& task, const AssignmentResult& result, const
         judge::toString(task.status), anchor(result, task), markOf(task.status),
         escaped(task.title), escaped(task.id), scoreText(task.points, task.maxPoints),
         barOf(task.points, task.maxPoints));
+    if (task.status == Status::notImplemented)
+        html += "<p class=\"message\">" + escaped(task.checks.front().message) + "</p>\n";
     return html + recognisedOf(task) + lostChecksOf(task, result, folder) +
            fullChecksOf(task, result, folder) + "</article>\n";
 }
@@ -228,7 +232,8 @@ std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::p
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>{}</title>\n<style>{}</style></head><body>\n<main>\n",
+        "<title>{}</title>\n<style>{}</style></head><body>\n<main>\n"
+        "<h1 class=\"unseen\">Report</h1>\n",
         policy(), escaped(title), kReportStyle);
     html += overviewOf(results);
     for (const AssignmentResult& each : results)
