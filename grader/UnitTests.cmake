@@ -28,8 +28,20 @@ grader_add_unit_tests(grader_unit_tests
         runner/SeededValues_test.cpp
         subject/Judge.cpp subject/Judge_test.cpp subject/ProcessSubject_test.cpp
         subject/Status_test.cpp
-        src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp src/HtmlReport_test.cpp
+        src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
-        src/Result_test.cpp src/Sandbox_test.cpp src/TerminalReport_test.cpp
+        src/Result_test.cpp src/Sandbox_test.cpp
         src/compare/FrameScore_test.cpp
+        src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
+        src/report/TerminalReport_test.cpp src/report/Words_test.cpp
     LINK grader_core)
+
+# The HTML report in a browser: reports by the grader itself, and one that has everything.
+add_executable(grader_sample_report testing/SampleReport.cpp)
+target_include_directories(grader_sample_report PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(grader_sample_report PRIVATE grader_core course_warnings)
+if(EXISTS ${PROJECT_SOURCE_DIR}/solutions)
+    add_test(NAME report.browser COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests/run.js
+        $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>)
+    set_tests_properties(report.browser PROPERTIES TIMEOUT 600)
+endif()

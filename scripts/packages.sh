@@ -2,7 +2,7 @@
 # Sourced by ./grade and ./test: which packages of the system are needed, and how they get here.
 #
 # Debian 12 is proved on a fresh machine. Debian 13 was tried once. Ubuntu 22.04 and 24.04 know all
-# these names; nobody has tried more there.
+# these names but chromium, which is a snap there; nobody has tried more there.
 
 # To build and to grade. gdb is for ./grade debug, libgl1-mesa-dri for the windows.
 build_packages=(
@@ -11,8 +11,16 @@ build_packages=(
     libopenimageio-dev libtinyobjloader-dev libcli11-dev nlohmann-json3-dev libfmt-dev libmd-dev
     libgtest-dev libgmock-dev
 )
-# To run the tests on top of that: a display without a screen, and keys pressed on it.
-test_packages=(xvfb xdotool)
+# To run the tests on top of that: a display without a screen, keys pressed on it, and a browser that
+# looks at the report, driven by a program of Node's.
+test_packages=(xvfb xdotool nodejs)
+
+# add_machine_packages: to $test_packages, what not every machine is to get. Wants $system.
+add_machine_packages() {
+    [[ $system == ubuntu* ]] || test_packages+=(chromium)
+    # Node's packages from elsewhere bring npm along, and Debian's conflicts with them.
+    command -v npm > /dev/null || test_packages+=(npm)
+}
 
 # read_system FILE: sets $system, such as "debian 12", from a file like /etc/os-release.
 read_system() {
@@ -75,6 +83,19 @@ may_install() {
     local answer
     read -rp "Install them now with sudo? [Y/n] " answer || answer=n
     [[ ${answer:-y} == [yY]* ]] || refuse_to_install "nothing was installed."
+}
+
+# ensure_browser_driver: installs what drives the browser, as the lock file of the browser tests says.
+# Wants what start (wrapper.sh) sets. npm's own note of what it installed shows when that was.
+ensure_browser_driver() {
+    local folder=$root/grader/browser_tests log=$build/npm.log
+    [[ $folder/package-lock.json -nt $folder/node_modules/.package-lock.json ]] || return 0
+    echo "Installing the driver of the browser tests (npm ci) ..."
+    (cd "$folder" && npm ci --ignore-scripts) > "$log" 2>&1 < /dev/null && return
+    tail -n 20 "$log" >&2
+    echo "$me: npm could not install what $folder/package-lock.json names, see above" \
+        "(all of it: $log). It needs the network once. Then run $me again." >&2
+    exit 2
 }
 
 # ensure_packages PACKAGE...: installs what is missing. Wants what start (wrapper.sh) sets.

@@ -24,7 +24,9 @@ new_case() {
     case_name=$1
     case="$work/$1"
     checkout="$case/a checkout"
-    mkdir -p "$case/bin" "$case/dpkg" "$checkout/build"
+    browser_tests="$checkout/grader/browser_tests"
+    mkdir -p "$case/bin" "$case/dpkg" "$checkout/build" "$browser_tests"
+    touch -d '2021-01-01' "$browser_tests/package-lock.json"
     cp -r "$repository/grade" "$repository/test" "$repository/scripts" "$repository/.ci" "$checkout"
     local tool
     for tool in awk bash cat cp dirname env find flock grep mkdir nproc readlink rm sed sh stat \
@@ -63,6 +65,12 @@ echo "ninja $*" >> "$case/calls"
 [[ ! -f $case/work ]] || { rm "$case/work"; echo "[1/1] Linking grader"; exit; }
 echo "ninja: Entering directory"
 echo "ninja: no work to do."
+END
+    fake npm <<'END'
+echo "npm $* in $PWD" >> "$case/calls"
+[[ ! -f $case/npm-fails ]] || { echo "npm error network"; exit 1; }
+mkdir -p node_modules
+touch node_modules/.package-lock.json
 END
     fake ctest <<< 'echo "ctest $* in $PWD" >> "$case/calls"; exit 8'
     fake grader <<'END'
@@ -174,6 +182,47 @@ expect_code 8  # as CTest says
 expect_call "apt-get -q install -y --no-install-recommends mold xvfb"
 expect_call "ctest --preset release -R common|style in $checkout"
 
+new_case the_browsers_driver_is_installed_when_its_lock_file_changed
+run "$checkout" ./test
+expect_code 8
+expect_output "driver of the browser tests"
+expect_call "npm ci --ignore-scripts in $browser_tests"
+forget_calls
+run "$checkout" ./test
+expect_no_call npm
+touch -d tomorrow "$browser_tests/package-lock.json"
+run "$checkout" ./test
+expect_call "npm ci --ignore-scripts in $browser_tests"
+
+new_case the_browsers_driver_cannot_be_had
+touch "$case/npm-fails"
+run "$checkout" ./test
+expect_code 2
+expect_output "npm error network"
+expect_output "needs the network once"
+expect_no_call cmake
+expect_no_call ctest
+
+new_case students_need_no_browser
+run "$checkout" ./grade
+expect_code 0
+expect_no_call npm
+
+new_case npm_comes_with_node_or_as_a_package
+echo 0 > "$case/uid"
+printf 'chromium\nnodejs\nnpm\n' > "$case/absent"
+run "$checkout" ./test
+expect_call "apt-get -q install -y --no-install-recommends nodejs chromium"
+mv "$case/bin/npm" "$case/npm"
+fake apt-get <<'END'
+echo "apt-get $*" >> "$case/calls"
+[[ $* != *install* ]] || { : > "$case/absent"; cp "$case/npm" "$case/bin/npm"; }
+END
+echo npm > "$case/absent"
+run "$checkout" ./test
+expect_code 8
+expect_call "apt-get -q install -y --no-install-recommends npm"
+
 new_case continuous_integration
 fake ctest <<'END'
 echo "ctest $*, CI=$CI" >> "$case/calls"
@@ -260,7 +309,7 @@ expect_code 0
 
 new_case two_at_once
 mkdir -p "$checkout/build/release"
-(exec 8> "$checkout/build/release/lock"; flock 8; sleep 0.5) &
+(exec 8> "$checkout/build/release/lock"; flock 8; sleep 2) &
 until ! flock -n "$checkout/build/release/lock" true; do
     kill -0 $! || break
     sleep 0.01

@@ -85,6 +85,8 @@ public:
                          [](const Diagnostic& a, const Diagnostic& b) {
                              return a.severity == "error" && b.severity != "error";
                          });
+        for (Diagnostic& each : result.diagnostics)
+            quoteSource(each);
         result.object = out_ / "subject.so";
         return result;
     }
@@ -186,6 +188,13 @@ private:
         if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
             cache_.store(key, made, result.output);
         return {result.succeeded(), result.output};
+    }
+
+    /// A solution that stands in for a file is nobody's to read.
+    void quoteSource(Diagnostic& diagnostic) const {
+        const StagedFile* file = stage_.find(diagnostic.file);
+        if (file && file->origin != "solutions")
+            diagnostic.source = sourceLine(file->content, diagnostic.line);
     }
 
     static void note(const Made& made, BuildResult& result) {

@@ -10,6 +10,8 @@ namespace grader {
 namespace {
 
 constexpr std::size_t kLongestLine = 2000;  // regular expressions recurse
+constexpr std::size_t kLongestSource = 400;
+constexpr std::size_t kTabStop = 8;
 
 /// Plain quotes, and without GLM's full template names, which are no help to a reader.
 std::string simplified(std::string message) {
@@ -115,6 +117,25 @@ std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput) {
             all.push_back(std::move(*linker));
     }
     return all;
+}
+
+std::string sourceLine(const std::string& text, int number) {
+    std::istringstream lines(text);
+    std::string line;
+    for (int i = 0; i < number; ++i)
+        if (!std::getline(lines, line))
+            return "";
+    if (line.size() > kLongestSource)
+        return "";
+    std::string expanded;
+    std::size_t column = 0;
+    for (const char each : line) {
+        const std::size_t width = each == '\t' ? kTabStop - column % kTabStop
+                                               : (static_cast<unsigned char>(each) & 0xC0) != 0x80;
+        expanded += each == '\t' ? std::string(width, ' ') : std::string(1, each);
+        column += width;
+    }
+    return expanded;
 }
 
 std::string placeOf(const Diagnostic& diagnostic) {

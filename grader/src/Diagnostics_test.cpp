@@ -85,6 +85,38 @@ TEST(Diagnostics, APlaceIsAsMuchAsIsKnown) {
     EXPECT_EQ(placeOf(error("", 0, 0, "")), "");
 }
 
+TEST(SourceLine, IsTheLineWithItsTabsAsTheCompilerCountsThem) {
+    const std::string text = "one\n\tint x;\n\n  é\ty\nlast";
+    EXPECT_EQ(sourceLine(text, 1), "one");
+    EXPECT_EQ(sourceLine(text, 2), "        int x;");
+    EXPECT_EQ(sourceLine(text, 3), "");
+    EXPECT_EQ(sourceLine(text, 4), "  é     y") << "é is two bytes and one column";
+    EXPECT_EQ(sourceLine(text, 5), "last");
+}
+
+TEST(SourceLine, IsEmptyWhereThereIsNoneOrTooMuchOfIt) {
+    EXPECT_EQ(sourceLine("one\n", 0), "");
+    EXPECT_EQ(sourceLine("one\n", 2), "");
+    EXPECT_EQ(sourceLine("one\n", 999999999), "");
+    EXPECT_EQ(sourceLine(std::string(400, 'x'), 1).size(), 400u);
+    EXPECT_EQ(sourceLine(std::string(401, 'x'), 1), "");
+}
+
+// Columns are counted by the compiler; the caret stands under the name only if we count alike.
+TEST(SourceLine, HasItsColumnsWhereTheCompilerSaysTheyAre) {
+    const Tree tree;
+    const std::string text = "int f() {\n\tint é = 1; return nope;\n}\n";
+    const auto file = tree.write("a.cpp", text);
+    const auto output =
+        run({"g++", "-c", file.string(), "-o", "/dev/null", "-fno-diagnostics-show-caret"}, 30)
+            .output;
+    const auto all = parseDiagnostics(output);
+    ASSERT_EQ(all.size(), 1u) << output;
+    const std::string line = sourceLine(text, all[0].line);
+    const std::size_t wide = std::string("é").size() - 1;
+    EXPECT_EQ(line.find("nope"), static_cast<std::size_t>(all[0].column) - 1 + wide) << line;
+}
+
 // What the four linkers print for two definitions of one function, as captured from them.
 TEST(LinkerDiagnostics, OfGnuLd) {
     EXPECT_THAT(

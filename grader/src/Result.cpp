@@ -35,11 +35,8 @@ Status statusOfTask(const std::vector<CheckResult>& checks) {
 }
 
 Json jsonOf(const Diagnostic& each) {
-    return {{"file", each.file},
-            {"line", each.line},
-            {"column", each.column},
-            {"severity", each.severity},
-            {"message", each.message}};
+    return {{"file", each.file},         {"line", each.line},       {"column", each.column},
+            {"severity", each.severity}, {"message", each.message}, {"source", each.source}};
 }
 
 Json jsonOf(const FeatureResult& feature) {

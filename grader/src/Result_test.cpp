@@ -38,7 +38,7 @@ Status statusOf(std::vector<Status> checks) {
 
 TEST(ResultDocument, HasTheFieldsInTheirOrder) {
     AssignmentResult result = sampleResult();
-    result.diagnostics = {{"Camera.cpp", 3, 4, "warning", "unused"}};
+    result.diagnostics = {{"Camera.cpp", 3, 4, "warning", "unused", "int x;"}};
     CheckResult& frame = result.tasks[0].checks[0];
     frame.kind = "frame";
     frame.imagePaths = {{"difference", "d"}, {"reference", "r"}, {"submission", "s"}};
@@ -49,7 +49,7 @@ TEST(ResultDocument, HasTheFieldsInTheirOrder) {
                             "environment", "timing"));
     EXPECT_THAT(namesOf(document["build"]), ElementsAre("ok", "diagnostics"));
     EXPECT_THAT(namesOf(document["build"]["diagnostics"][0]),
-                ElementsAre("file", "line", "column", "severity", "message"));
+                ElementsAre("file", "line", "column", "severity", "message", "source"));
     EXPECT_THAT(namesOf(document["tasks"][0]),
                 ElementsAre("id", "title", "points", "max_points", "status", "checks"));
     const Json& first = document["tasks"][0]["checks"][0];

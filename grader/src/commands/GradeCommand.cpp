@@ -8,9 +8,10 @@
 
 #include "Error.h"
 #include "Grade.h"
-#include "HtmlReport.h"
 #include "Process.h"
-#include "TerminalReport.h"
+#include "report/HtmlReport.h"
+#include "report/TerminalPictures.h"
+#include "report/TerminalReport.h"
 
 namespace grader {
 
@@ -20,7 +21,7 @@ struct Options {
     std::vector<std::string> assignments;
     std::string submission, json, report, context = "auto";
     std::uint64_t seed = 1;
-    bool open = false, noSandbox = false;
+    bool open = false, images = false, noSandbox = false;
 };
 
 /// Which assignments of which folder are graded.
@@ -64,6 +65,18 @@ bool worthPainting() {
     return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
 }
 
+/// Says why no pictures are shown where they were asked for.
+TerminalStyle styleFor(const Options& options, bool quiet) {
+    TerminalStyle style{worthPainting(), 80, false};
+    if (!options.images || quiet)
+        return style;
+    const std::string why = whyNoPreviews(isatty(STDOUT_FILENO), std::getenv("COLORTERM"));
+    if (!why.empty())
+        std::cout << why << "\n";
+    style.pictures = why.empty();
+    return style;
+}
+
 void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
     writeReportPictures(results, folder);
     writeFile(folder / "index.html", htmlReport(results, folder));
@@ -91,8 +104,8 @@ int gradeAll(const Options& options) {
     const auto sandbox = options.noSandbox ? makePlainProcess() : chooseSandbox();
     const Grader grader(tools, *sandbox, options.context);
 
-    const TerminalStyle style{worthPainting(), 80};
     const bool quiet = options.json == "-";
+    const TerminalStyle style = styleFor(options, quiet);
     std::vector<AssignmentResult> results;
     for (const std::string& id : selection.assignments) {
         const double cpu = cpuSeconds();
@@ -149,6 +162,8 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
         ->capture_default_str();
     command->add_flag("--open", options.open,
                       "write the report (default folder: report/) and open it in the browser");
+    command->add_flag("--images", options.images,
+                      "show small pictures of lost frames, where the terminal has 24-bit colour");
     command
         ->add_option("--context", options.context,
                      "what draws the frames: auto takes osmesa, "

@@ -1,12 +1,13 @@
-#include "TerminalReport.h"
+#include "report/TerminalReport.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <set>
 #include <sstream>
+
+#include "report/PlainText.h"
+#include "report/TerminalPictures.h"
+#include "report/Words.h"
 
 namespace grader {
 
@@ -14,76 +15,23 @@ namespace {
 
 constexpr std::size_t kMostDiagnostics = 5;
 constexpr const char* kReset = "\033[0m";
+constexpr int kPreviewIndent = 6;
+constexpr int kPreviewColumns = 36;
 
-struct Mark {
-    const char* symbol;
-    const char* colour;
-};
-
-Mark markOf(Status status) {
+const char* colourOf(Status status) {
     switch (status) {
         case Status::pass:
-            return {"✓", "\033[32m"};
+            return "\033[32m";
         case Status::partial:
-            return {"◐", "\033[33m"};
+            return "\033[33m";
         case Status::notImplemented:
-            return {"○", "\033[36m"};
         case Status::skipped:
-            return {"–", "\033[36m"};
+            return "\033[36m";
         case Status::graderError:
-            return {"!", "\033[35m"};
+            return "\033[35m";
         default:
-            return {"✗", "\033[31m"};
+            return "\033[31m";
     }
-}
-
-bool startsCharacter(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-}
-
-/// Columns that a text of UTF-8 takes; every sign of ours takes one.
-std::size_t columns(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsCharacter));
-}
-
-/// Bytes of the first `most` columns.
-std::size_t bytesOf(const std::string& text, std::size_t most) {
-    std::size_t at = 0;
-    for (std::size_t seen = 0; at < text.size(); ++at)
-        if (startsCharacter(text[at]) && seen++ == most)
-            break;
-    return at;
-}
-
-/// The text in at most so many columns; "…" stands for the rest.
-std::string shortened(const std::string& text, std::size_t most) {
-    return columns(text) <= most ? text : text.substr(0, bytesOf(text, most - 1)) + "…";
-}
-
-/// Whether a terminal would obey instead of show: control characters, in UTF-8 the second set too,
-/// and those that turn the direction of writing.
-bool steers(const std::string& sign) {
-    static const char* turning[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
-                                    "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
-    const auto first = static_cast<unsigned char>(sign[0]);
-    return first < 32 || first == 127 ||
-           (first == 0xC2 && static_cast<unsigned char>(sign[1]) < 0xA0) ||
-           std::find(std::begin(turning), std::end(turning), sign) != std::end(turning);
-}
-
-/// Text of a student's making must not steer the terminal.
-std::string harmless(std::string text) {
-    for (auto bad = firstInvalidUtf8(text); bad != std::string::npos;
-         bad = firstInvalidUtf8(text, bad))
-        text[bad] = '?';
-    std::string safe;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t size = bytesOf(text.substr(i, 5), 1);
-        const std::string sign = text.substr(i, size);
-        safe += steers(sign) ? " " : sign;
-        i += size;
-    }
-    return safe;
 }
 
 class Writer {
@@ -123,6 +71,8 @@ public:
         }
         out_ << line << "\n";
     }
+    /// Text of our own making, as it is.
+    void lines(const std::string& text) { out_ << text; }
     std::string take() { return out_.str(); }
 
 private:
@@ -130,16 +80,24 @@ private:
     std::ostringstream out_;
 };
 
-std::string scoreText(double points, double most) {
-    return showPoints(points) + " / " + showPoints(most);
+void writeSource(Writer& out, const Diagnostic& diagnostic, const TerminalStyle& style) {
+    const std::string indent(8, ' ');
+    const auto source =
+        quoted(diagnostic, static_cast<std::size_t>(style.width) - indent.size() - 1);
+    if (source.line.empty())
+        return;
+    out.lines(indent + source.line + "\n");
+    if (!source.caret.empty())
+        out.lines(indent + source.caret + "\n");
 }
 
-void writeDiagnostics(Writer& out, const AssignmentResult& result) {
+void writeDiagnostics(Writer& out, const AssignmentResult& result, const TerminalStyle& style) {
     std::size_t errors = 0;
     for (const Diagnostic& each : result.diagnostics) {
         if (each.severity != "error" || ++errors > kMostDiagnostics)
             continue;
         out.paragraph("    ✗ ", placeOf(each) + each.message);
+        writeSource(out, each, style);
         if (const std::string hint = hintFor(each); !hint.empty())
             out.paragraph("      hint: ", hint);
     }
@@ -158,11 +116,41 @@ void writeShaderError(Writer& out, const CheckResult& check, std::set<std::strin
         out.paragraph(lead, line);
 }
 
+void writeRecognised(Writer& out, const Recognised& recognised) {
+    out.paragraph(
+        "    → ",
+        recognised.says +
+            (recognised.section.empty() ? "" : fmt::format(" (section {})", recognised.section)));
+}
+
+void writeFeatures(Writer& out, const CheckResult& frame) {
+    for (const FeatureResult& each : frame.features)
+        if (each.points < each.maxPoints)
+            out.paragraph(each.points > 0 ? "      ◐ " : "      ✗ ",
+                          each.title + ": " + each.message);
+}
+
+/// `hint`: the one that was written last; it is not said twice in a row.
+void writeLost(Writer& out, const CheckResult& check, bool pictures, std::string& hint) {
+    out.paragraph(fmt::format("    {} ", symbolOf(check.status)),
+                  check.title + ": " + check.message);
+    writeFeatures(out, check);
+    if (!check.hint.empty() && check.hint != hint && check.status != Status::notImplemented &&
+        check.status != Status::skipped) {
+        out.paragraph("      hint: ", check.hint);
+        hint = check.hint;
+    }
+    if (pictures && check.pictures)
+        out.lines(previewOf(check.pictures->submission, check.pictures->reference, kPreviewColumns,
+                            kPreviewIndent));
+}
+
 /// `told`: shader errors that were written before.
-void writeTask(Writer& out, const TaskResult& task, std::set<std::string>& told) {
-    const Mark mark = markOf(task.status);
-    out.row(fmt::format("  {} {:<16} {}", mark.symbol, task.id, task.title),
-            scoreText(task.points, task.maxPoints), mark.colour);
+void writeTask(Writer& out, const TaskResult& task, bool pictures, std::set<std::string>& told) {
+    out.row(fmt::format("  {} {:<16} {}", symbolOf(task.status), task.id, task.title),
+            scoreText(task.points, task.maxPoints), colourOf(task.status));
+    if (task.recognised)
+        writeRecognised(out, *task.recognised);
     if (task.status == Status::notImplemented) {
         // One sentence serves for all checks when they say the same.
         out.paragraph("      ", task.checks.front().message);
@@ -172,26 +160,14 @@ void writeTask(Writer& out, const TaskResult& task, std::set<std::string>& told)
     for (const CheckResult& check : task.checks) {
         if (check.full())
             continue;
-        if (check.status == Status::buildError) {
+        if (check.status == Status::buildError)
             writeShaderError(out, check, told);
-            continue;
-        }
-        out.paragraph(fmt::format("    {} ", markOf(check.status).symbol),
-                      check.title + ": " + check.message);
-        if (!check.hint.empty() && check.hint != hint && check.status != Status::notImplemented &&
-            check.status != Status::skipped) {
-            out.paragraph("      hint: ", check.hint);
-            hint = check.hint;
-        }
+        else
+            writeLost(out, check, pictures, hint);
     }
 }
 
 }  // namespace
-
-std::string showPoints(double points) {
-    // Cut, not rounded up: what is not everything must not read as everything.
-    return fmt::format("{:g}", std::floor(points * 10 + 1e-6) / 10);
-}
 
 std::string terminalReport(const AssignmentResult& result, const TerminalStyle& style) {
     Writer out(style);
@@ -208,12 +184,12 @@ std::string terminalReport(const AssignmentResult& result, const TerminalStyle& 
         out.paragraph("  not taken: ", fmt::format("{}", fmt::join(result.ignoredFiles, ", ")));
     if (result.status == "build_error") {
         out.paragraph("  ", "The code does not compile, so nothing could be checked:");
-        writeDiagnostics(out, result);
+        writeDiagnostics(out, result, style);
         return out.take();
     }
     std::set<std::string> told;
     for (const TaskResult& task : result.tasks)
-        writeTask(out, task, told);
+        writeTask(out, task, style.pictures, told);
     if (result.graderFailed())
         out.paragraph("  ! ",
                       "The grader itself failed above; that is not your mistake. Please "

@@ -1,4 +1,4 @@
-#include "TerminalReport.h"
+#include "report/TerminalReport.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -215,16 +215,53 @@ TEST(TerminalReport, TheGradersOwnFaultIsNoStudents) {
     EXPECT_THAT(reportOf(sampleResult()), Not(HasSubstr("that is not your mistake")));
 }
 
-TEST(ShowPoints, IsNeverRoundedUp) {
-    EXPECT_EQ(showPoints(0), "0");
-    EXPECT_EQ(showPoints(100), "100");
-    EXPECT_EQ(showPoints(5.5), "5.5");
-    EXPECT_EQ(showPoints(99.99), "99.9");
-    EXPECT_EQ(showPoints(9.96), "9.9");
-    EXPECT_EQ(showPoints(5.94), "5.9");
-    EXPECT_EQ(showPoints(0.3), "0.3") << "though 0.3 * 10 is not 3";
-    EXPECT_EQ(showPoints(100.0 / 3 + 100.0 / 3 + 100.0 / 3), "100") << "but noise is not a loss";
-    EXPECT_EQ(showPoints(0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1), "1");
+TEST(TerminalReport, TheLineOfAnErrorIsShownWithACaret) {
+    AssignmentResult result = sampleResult();
+    result.status = "build_error";
+    result.diagnostics = {{"Camera.cpp", 9, 12, "error", "wrong", "    return nope\x1b[2J;"}};
+    EXPECT_THAT(reportOf(result),
+                HasSubstr("            return nope [2J;\n" + std::string(19, ' ') + "^\n"));
+    result.diagnostics[0].source = std::string(300, 's');
+    result.diagnostics[0].column = 250;
+    EXPECT_TRUE(fits(reportOf(result)));
+    EXPECT_THAT(reportOf(result), HasSubstr("^\n"));
+}
+
+TEST(TerminalReport, ARecognisedMistakeStandsRightBelowItsTask) {
+    AssignmentResult result = sampleResult();
+    result.tasks[1].recognised = {{"turned"}, "You turn\x1b about the wrong axis.", "7.2"};
+    const auto lines = linesOf(reportOf(result));
+    ASSERT_EQ(lines.size(), 6u);
+    EXPECT_TRUE(lines[2].starts_with("  ◐ rotate-up"));
+    EXPECT_EQ(lines[3], "    → You turn about the wrong axis. (section 7.2)");
+    result.tasks[1].recognised->section.clear();
+    EXPECT_THAT(reportOf(result), Not(HasSubstr("section")));
+}
+
+TEST(TerminalReport, EachLostFeatureOfAFrameHasItsSentence) {
+    AssignmentResult result = sampleResult();
+    result.tasks[1].checks[1].features = {{"a", "the lamp", 3, 3, "nothing to say", {}},
+                                          {"b", "the shadow", 1, 4, "half of it is there", {}},
+                                          {"c", "the glint", 0, 2, "it is missing", {}}};
+    const std::string report = reportOf(result);
+    EXPECT_THAT(report, HasSubstr("\n      ◐ the shadow: half of it is there\n"
+                                  "      ✗ the glint: it is missing\n"));
+    EXPECT_THAT(report, Not(HasSubstr("the lamp")));
+}
+
+TEST(TerminalReport, PicturesStandBelowLostFramesWhereWanted) {
+    AssignmentResult result = sampleResult();
+    for (TaskResult& each : result.tasks)
+        for (CheckResult& frame : each.checks)
+            frame.pictures = {{4, 4, std::vector<std::uint8_t>(64, 9)},
+                              {4, 4, std::vector<std::uint8_t>(64, 8)},
+                              {},
+                              {}};
+    TerminalStyle style{false, 80, true};
+    const std::string report = terminalReport(result, style);
+    EXPECT_EQ(count(report, "reference\n"), 1u) << "full frames show none";
+    EXPECT_EQ(count(report, "▀"), 2u * 36 * 18);
+    EXPECT_EQ(count(reportOf(result), "▀"), 0u);
 }
 
 TEST(TerminalSummary, AddsUpInOneLine) {

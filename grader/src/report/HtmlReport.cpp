@@ -1,0 +1,247 @@
+#include "report/HtmlReport.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ImageModule.h"
+#include "report/Html.h"
+#include "report/HtmlCheck.h"
+#include "report/ReportAssets.h"
+#include "report/Words.h"
+
+namespace grader {
+
+namespace {
+
+/// Columns of a source line that a page shows.
+constexpr std::size_t kSourceColumns = 400;
+
+std::string anchor(const AssignmentResult& result, const TaskResult& task) {
+    return escaped(result.assignment + "." + task.id);
+}
+
+std::string diagnosticOf(const Diagnostic& diagnostic) {
+    std::string html = fmt::format("<li><p><code class=\"place\">{}</code>{}: {}</p>",
+                                   escaped(placeOf(diagnostic)), escaped(diagnostic.severity),
+                                   escaped(diagnostic.message));
+    if (const QuotedSource source = quoted(diagnostic, kSourceColumns); !source.line.empty())
+        html += fmt::format("<pre class=\"source\">{}\n<span class=\"caret\">{}</span></pre>",
+                            escaped(source.line), source.caret);
+    if (const std::string hint = hintFor(diagnostic); !hint.empty())
+        html += "<p class=\"hint\">Hint: " + escaped(hint) + "</p>";
+    return html + "</li>\n";
+}
+
+std::string diagnosticsOf(const AssignmentResult& result) {
+    std::string errors, warnings;
+    int warned = 0;
+    for (const Diagnostic& each : result.diagnostics) {
+        const bool error = each.severity == "error";
+        (error ? errors : warnings) += diagnosticOf(each);
+        warned += !error;
+    }
+    std::string html;
+    if (!errors.empty())
+        html += "<article class=\"compiler\"><h3>The compiler says</h3>\n<ol>" + errors +
+                "</ol></article>\n";
+    if (warned > 0)
+        html += fmt::format(
+            "<details class=\"compiler warnings\"><summary>{} {} of the compiler</summary>\n"
+            "<ol>{}</ol></details>\n",
+            warned, warned == 1 ? "warning" : "warnings", warnings);
+    return html;
+}
+
+std::string recognisedOf(const TaskResult& task) {
+    if (!task.recognised)
+        return "";
+    const Recognised& mistake = *task.recognised;
+    std::string html =
+        "<aside class=\"recognised\"><p class=\"says\">" + escaped(mistake.says) + "</p>";
+    if (!mistake.section.empty())
+        html += "<p>Read section <b>" + escaped(mistake.section) + "</b> of the notes again.</p>";
+    return html + "</aside>\n";
+}
+
+/// Frames first: they are to be looked at. Of the tests the first lies open.
+std::string lostChecksOf(const TaskResult& task, const AssignmentResult& result,
+                         const fs::path& folder) {
+    std::string html, hint;
+    bool testLiesOpen = false;
+    for (const std::string kind : {"frame", "test"})
+        for (const CheckResult& check : task.checks) {
+            if (check.full() || check.kind != kind)
+                continue;
+            const bool open = check.status != Status::notImplemented && !testLiesOpen;
+            testLiesOpen = testLiesOpen || (open && kind == "test");
+            html += lostCheck(check, result.assignment, folder, open, !open || check.hint != hint);
+            if (open)
+                hint = check.hint;
+        }
+    return html;
+}
+
+std::string fullChecksOf(const TaskResult& task, const AssignmentResult& result,
+                         const fs::path& folder) {
+    std::string frames, tests;
+    std::size_t count = 0;
+    for (const CheckResult& check : task.checks) {
+        if (!check.full())
+            continue;
+        if (check.kind == "frame") {
+            frames += fullFrame(check, result.assignment, folder);
+            continue;
+        }
+        ++count;
+        tests += fmt::format("<li>{}{}</li>\n", markOf(check.status), escaped(check.title));
+    }
+    if (!tests.empty())
+        tests = fmt::format(
+            "<details class=\"passed\"><summary>{}<span class=\"title\">{} {} passed</span>"
+            "</summary>\n<ul>{}</ul></details>\n",
+            markOf(Status::pass), count, count == 1 ? "check" : "checks", tests);
+    return tests + (frames.empty() ? "" : "<div class=\"full-frames\">" + frames + "</div>\n");
+}
+
+std::string taskOf(const TaskResult& task, const AssignmentResult& result, const fs::path& folder) {
+    std::string html = fmt::format(
+        "<article class=\"task {}\" id=\"{}\">\n<h3>{}<span class=\"title\">{} <code>{}</code>"
+        "</span><span class=\"points\">{}</span></h3>\n{}\n",
+        judge::toString(task.status), anchor(result, task), markOf(task.status),
+        escaped(task.title), escaped(task.id), scoreText(task.points, task.maxPoints),
+        barOf(task.points, task.maxPoints));
+    if (task.status == Status::notImplemented)
+        html += "<p class=\"message\">" + escaped(task.checks.front().message) + "</p>\n";
+    return html + recognisedOf(task) + lostChecksOf(task, result, folder) +
+           fullChecksOf(task, result, folder) + "</article>\n";
+}
+
+/// Those that lost most come first; those that lost alike stay in the handout's order.
+std::vector<const TaskResult*> byLoss(const AssignmentResult& result) {
+    std::vector<const TaskResult*> tasks;
+    for (const TaskResult& each : result.tasks)
+        tasks.push_back(&each);
+    std::stable_sort(tasks.begin(), tasks.end(), [](const TaskResult* a, const TaskResult* b) {
+        return a->maxPoints - a->points > b->maxPoints - b->points + 1e-9;
+    });
+    return tasks;
+}
+
+std::string headOf(const AssignmentResult& result) {
+    std::string html = fmt::format(
+        "<header class=\"head\">\n<p class=\"score\"><b>{}</b> / {}</p>\n"
+        "<h2>{} <span class=\"id\">{}</span></h2>\n<p class=\"next\">{}</p>\n{}\n",
+        showPoints(result.points()), showPoints(result.maxPoints()), escaped(result.title),
+        escaped(result.assignment), escaped(whatNext(result)),
+        barOf(result.points(), result.maxPoints()));
+    if (result.status == "build_error")
+        return html + "</header>\n";
+    html += "<ul class=\"contents\">\n";
+    for (const TaskResult& task : result.tasks)
+        html += fmt::format("<li><a href=\"#{}\">{}{} <span class=\"points\">{}</span></a></li>\n",
+                            anchor(result, task), markOf(task.status), escaped(task.id),
+                            scoreText(task.points, task.maxPoints));
+    return html + "</ul></header>\n";
+}
+
+std::string assignmentSection(const AssignmentResult& result, const fs::path& folder) {
+    std::string html = fmt::format("<section class=\"assignment\" id=\"{}\">\n{}",
+                                   escaped(result.assignment), headOf(result));
+    for (const std::string& notice : result.notices)
+        html += "<p class=\"notice\">Note: " + escaped(notice) + "</p>\n";
+    if (!result.ignoredFiles.empty())
+        html += "<p class=\"notice\">Not taken: " +
+                escaped(fmt::format("{}", fmt::join(result.ignoredFiles, ", "))) + "</p>\n";
+    html += diagnosticsOf(result);
+    if (result.status != "build_error")
+        for (const TaskResult* task : byLoss(result))
+            html += taskOf(*task, result, folder);
+    const Environment& here = result.environment;
+    return html + fmt::format(
+                      "<footer><p>Seed {}. {}; {}; {}; {}; sandbox: {}.</p></footer>"
+                      "</section>\n",
+                      result.seed, escaped(here.grader), escaped(here.compiler),
+                      escaped(here.glRenderer), escaped(here.cpu), escaped(here.sandbox));
+}
+
+/// Of several assignments, what each has earned.
+std::string overviewOf(const std::vector<AssignmentResult>& results) {
+    if (results.size() < 2)
+        return "";
+    std::string html = "<nav class=\"overview\" aria-label=\"Assignments\"><ul>\n";
+    for (const AssignmentResult& each : results)
+        html += fmt::format(
+            "<li><a href=\"#{}\"><span class=\"title\">{}</span><span class=\"points\">{}</span>"
+            "{}</a></li>\n",
+            escaped(each.assignment), escaped(each.assignment),
+            scoreText(each.points(), each.maxPoints()), barOf(each.points(), each.maxPoints()));
+    return html + "</ul></nav>\n";
+}
+
+std::string hashOf(std::string_view text) {
+    const std::string digits = sha256(std::string(text));
+    std::string bytes;
+    for (std::size_t i = 0; i < digits.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+    return "'sha256-" + base64(bytes) + "'";
+}
+
+/// Only this page's own script and style run, whatever a student's text manages to become.
+std::string policy() {
+    return fmt::format(
+        "default-src 'none'; img-src data: blob:; style-src {}; script-src {}; base-uri 'none'; "
+        "form-action 'none'",
+        hashOf(kReportStyle), hashOf(kReportScript));
+}
+
+void writeMasks(const CheckResult& check, const std::string& assignment, const fs::path& folder) {
+    for (const FeatureResult& feature : check.features)
+        if (!feature.mask.empty())
+            writePicture(folder / maskPath(assignment, check, feature), feature.mask);
+}
+
+}  // namespace
+
+void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder) {
+    for (AssignmentResult& result : results)
+        for (TaskResult& task : result.tasks)
+            for (CheckResult& check : task.checks) {
+                if (!check.pictures)
+                    continue;
+                FramePictures& pictures = *check.pictures;
+                pictures.difference = differenceOf(pictures.submission, pictures.reference);
+                for (const auto& [name, picture] :
+                     {std::pair{"submission", &pictures.submission},
+                      std::pair{"reference", &pictures.reference},
+                      std::pair{"difference", &pictures.difference}}) {
+                    const std::string path =
+                        fmt::format("{}/{}.{}.png", result.assignment, check.id, name);
+                    writePicture(folder / path, *picture);
+                    check.imagePaths[name] = path;
+                }
+                writeMasks(check, result.assignment, folder);
+            }
+}
+
+std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder) {
+    const std::string title =
+        results.size() == 1 ? results[0].assignment + " " + results[0].title : "Report";
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n"
+        "<title>{}</title>\n<style>{}</style></head><body>\n<main>\n"
+        "<h1 class=\"unseen\">Report</h1>\n",
+        policy(), escaped(title), kReportStyle);
+    html += overviewOf(results);
+    for (const AssignmentResult& each : results)
+        html += assignmentSection(each, folder);
+    return html + fmt::format(
+                      "</main>\n<template id=\"viewer\">{}</template>\n"
+                      "<script>{}</script></body></html>\n",
+                      kReportViewer, kReportScript);
+}
+
+}  // namespace grader

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Result.h"
+
+namespace grader {
+
+/// Writes the pictures of all frames and the masks of their features below `folder`, and notes the
+/// paths of the pictures, relative to it, in the checks. Loads the image library.
+void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder);
+
+/// The report as one page that needs nothing else: pictures, style and script are embedded, and its
+/// content security policy forbids everything from elsewhere. Without scripts it still shows all
+/// but the tools to compare pictures with. `folder` is where writeReportPictures put the pictures.
+std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder);
+
+}  // namespace grader
