@@ -45,3 +45,11 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/solutions)
         $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>)
     set_tests_properties(report.browser PROPERTIES TIMEOUT 600)
 endif()
+
+# The scoring rule on pictures whose worth is known; it prints the table of docs/scoring.md.
+add_executable(compare_selftest compare_tests/Pictures.cpp compare_tests/SelfTest.cpp)
+target_include_directories(compare_selftest PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_compile_options(compare_selftest PRIVATE -O2)
+target_link_libraries(compare_selftest PRIVATE grader_core course_warnings)
+add_test(NAME compare.selftest COMMAND compare_selftest)
+set_tests_properties(compare.selftest PROPERTIES TIMEOUT 300)

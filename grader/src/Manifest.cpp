@@ -71,7 +71,7 @@ Frame readFrame(Fields fields) {
         throw Error("{}: field \"size\": expected [width, height] in pixels, 1 to {}",
                     fields.where(), kLargestFrame);
     if (frame.points < 0)
-        throw Error("{}: points must not be negative, found {}", fields.where(), frame.points);
+        throw Error("{}: points must not be below 0, found {}", fields.where(), frame.points);
     if (frame.tolerance > kDefaultTolerance && why.empty())
         throw Error("{}: a tolerance above {} needs a \"why\"", fields.where(), kDefaultTolerance);
     frame.width = size[0];

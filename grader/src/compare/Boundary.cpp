@@ -6,10 +6,13 @@ namespace grader {
 
 namespace {
 
-constexpr int kStep = 24;      // of 255: between neighbours, a boundary
-constexpr int kReach = 2;      // pixels
+// All of it is done at half size, where the noise that drivers differ by is averaged out.
+constexpr int kFaint = 12;     // of 255: a step up to this is no boundary
+constexpr int kClear = 48;     // of 255: a step from this on is one
+constexpr int kReach = 1;      // pixels of half size, two of the picture
+constexpr int kNoise = 6;      // of 255: steps that say nothing about sharpness
 constexpr int kContrast = 64;  // of 255: within a block, something to be sharp about
-constexpr int kBlock = 32;     // pixels: as far as a blur may reach
+constexpr int kBlock = 16;     // pixels of half size: as far as a blur may reach
 
 std::uint8_t away(std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>(a > b ? a - b : b - a);
@@ -60,34 +63,42 @@ Map dilated(const Map& map, int width, int height) {
     return both;
 }
 
-/// Mean, over blocks with much contrast, of the largest step between neighbours as a share of the
-/// contrast: near 1 where things are drawn, near 0 where they are blurred.
+/// Largest difference of one channel within a block.
+int contrastOf(const Planes& planes, int bx, int by) {
+    int contrast = 0;
+    for (const Map& channel : planes.channel) {
+        int least = 255, most = 0;
+        for (int y = by; y < by + kBlock; ++y)
+            for (int x = bx; x < bx + kBlock; ++x) {
+                const int value = channel[static_cast<std::size_t>(y * planes.width + x)];
+                least = std::min(least, value);
+                most = std::max(most, value);
+            }
+        contrast = std::max(contrast, most - least);
+    }
+    return contrast;
+}
+
+/// Over blocks with much contrast: the mean step, weighted by steps, as a share of the contrast. A
+/// boundary spread over w pixels gives 1 / w, however long it is.
 double sharpnessOf(const Planes& planes, const Map& steps) {
-    double sharp = 0, contrasts = 0;
+    double squares = 0, products = 0;
+    bool any = false;
     for (int by = 0; by + kBlock <= planes.height; by += kBlock)
         for (int bx = 0; bx + kBlock <= planes.width; bx += kBlock) {
-            int step = 0, contrast = 0;
-            for (int c = 0; c < 3; ++c) {
-                int least = 255, most = 0;
-                for (int y = by; y < by + kBlock; ++y)
-                    for (int x = bx; x < bx + kBlock; ++x) {
-                        const int value =
-                            planes.channel[c][static_cast<std::size_t>(y * planes.width + x)];
-                        least = std::min(least, value);
-                        most = std::max(most, value);
-                    }
-                contrast = std::max(contrast, most - least);
-            }
+            const int contrast = contrastOf(planes, bx, by);
             if (contrast < kContrast)
                 continue;
+            any = true;
             for (int y = by; y < by + kBlock; ++y)
-                for (int x = bx; x < bx + kBlock; ++x)
-                    step =
-                        std::max<int>(step, steps[static_cast<std::size_t>(y * planes.width + x)]);
-            sharp += std::min(step, contrast);
-            contrasts += contrast;
+                for (int x = bx; x < bx + kBlock; ++x) {
+                    const double step =
+                        std::max(0, steps[static_cast<std::size_t>(y * planes.width + x)] - kNoise);
+                    squares += step * step;
+                    products += step * contrast;
+                }
         }
-    return contrasts > 0 ? sharp / contrasts : 1.0;
+    return products > 0 ? squares / products : any ? 0.0 : 1.0;
 }
 
 /// Share of the edges that lie near the other's.
@@ -96,22 +107,24 @@ double shareNear(const Boundaries& edges, const Boundaries& others) {
         return others.count == 0 ? 1.0 : 0.0;
     double met = 0;
     for (std::size_t i = 0; i < edges.edges.size(); ++i)
-        met += edges.edges[i] & others.near[i];
+        met += std::min(edges.edges[i], others.near[i]);
     return met / edges.count;
 }
 
 }  // namespace
 
 Boundaries boundariesOf(const Planes& planes) {
+    const Planes half = halved(planes);
     Boundaries boundaries;
-    const Map steps = stepsOf(planes);
+    const Map steps = stepsOf(half);
     boundaries.edges.resize(steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        boundaries.edges[i] = steps[i] > kStep ? 1 : 0;
+        boundaries.edges[i] = static_cast<std::uint8_t>(
+            std::clamp((steps[i] - kFaint) * 255 / (kClear - kFaint), 0, 255));
         boundaries.count += boundaries.edges[i];
     }
-    boundaries.near = dilated(boundaries.edges, planes.width, planes.height);
-    boundaries.sharpness = sharpnessOf(planes, steps);
+    boundaries.near = dilated(boundaries.edges, half.width, half.height);
+    boundaries.sharpness = sharpnessOf(half, steps);
     return boundaries;
 }
 

@@ -6,10 +6,10 @@ namespace grader {
 
 /// The boundaries of what a picture shows.
 struct Boundaries {
-    Map edges;  ///< 1 where a pixel differs much from its right or lower neighbour
-    Map near;   ///< 1 within two pixels of such a place
-    double count = 0;
-    double sharpness = 1;  ///< of those places with much contrast around them, how sharp they are
+    Map edges;         ///< at half size: how clearly a pixel differs from its neighbours, 0 … 255
+    Map near;          ///< the clearest within two pixels of the picture
+    double count = 0;  ///< sum of edges
+    double sharpness = 1;  ///< where there is contrast: 1 / width of its boundaries, about
 };
 
 Boundaries boundariesOf(const Planes& planes);

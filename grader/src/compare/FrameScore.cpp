@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEnough = 0.99;           // counts as everything
 constexpr double kMostWhenLost = 0.99;     // what is not everything stays below it
-constexpr double kSharpEnough = 0.4;       // of the reference's sharpness
+constexpr double kSharpEnough = 0.6;       // of the reference's sharpness
 constexpr double kMeasurable = 0.05;       // mean error of a feature's pixels without it
 constexpr double kMostlyBackground = 0.7;  // above, there is no object to be displaced
 
@@ -27,10 +27,13 @@ double settled(double score) {
     return score >= kEnough ? 1.0 : std::min(clamped(score), kMostWhenLost);
 }
 
-void spoil(Map& difference, const Picture& picture) {
-    for (const std::size_t pixel : picture.broken)
-        if (pixel < difference.size())
-            difference[pixel] = 255;
+/// The frame with what is no number made as wrong as can be.
+Picture withoutBroken(const Picture& frame, const Picture& reference) {
+    Picture picture = frame;
+    for (const std::size_t pixel : frame.broken)
+        for (std::size_t c = 4 * pixel; c < 4 * pixel + 3 && c < picture.rgba.size(); ++c)
+            picture.rgba[c] = reference.rgba[c] > 127 ? 0 : 255;
+    return picture;
 }
 
 /// Whether a frame is a baseline but for rounding: undoing a "fault" of it would reward nothing.
@@ -200,7 +203,7 @@ void FrameRule::Prepared::scoreWhole(FrameScore& result, const Map& tolerant,
     const WholeScore whole = wholeOf(tolerant, frame);
     result.skill = whole.skill;
     result.boundary = whole.boundary;
-    result.score = whole.score();
+    result.score = whole.score() * sharpnessShare(frame);
     if (foreground_.empty() || baselineDisplaced_ >= 1)
         return;
     const auto moved = findDisplacement(frame.scales, reference_->scales, foreground_);
@@ -256,22 +259,15 @@ FrameScore FrameRule::Prepared::score(const Picture& given) {
         result.sentence = sentenceOn(result, given, truth.reference);
         return result;
     }
-    Picture frame = given;
-    Planes framePlanes = planesOf(frame);
-    Map tolerant = tolerantDifference(framePlanes, planes);
-    spoil(tolerant, frame);
-    ErrorSum sum = sumErrors(tolerant, frame.width);
+    const Picture frame = withoutBroken(given, truth.reference);
+    const Map tolerant = tolerantDifference(planesOf(frame), planes);
+    const ErrorSum sum = sumErrors(tolerant, frame.width);
     const auto pixels = static_cast<double>(planes.size());
     const auto isRight = [&] { return sum.outliers / pixels <= truth.tolerance; };
     if (!isRight()) {
         result.fault = findWholeFrameFault(frame, truth.reference);
         if (result.fault && isBaseline(frame, truth))
             result.fault.reset();
-        if (result.fault) {
-            framePlanes = planesOf(result.fault->mended);
-            tolerant = tolerantDifference(framePlanes, planes);
-            sum = sumErrors(tolerant, frame.width);
-        }
     }
     result.outliers = sum.outliers / pixels;
     result.meanError = sum.error / pixels;
@@ -326,8 +322,8 @@ Picture differenceOf(const Picture& frame, const Picture& reference) {
     if (!frame.sameSizeAs(reference))
         return flatPicture(reference, {255, 255, 255});
     Picture picture = flatPicture(reference, {0, 0, 0});
-    Map difference = tolerantDifference(planesOf(frame), planesOf(reference));
-    spoil(difference, frame);
+    const Map difference =
+        tolerantDifference(planesOf(withoutBroken(frame, reference)), planesOf(reference));
     for (std::size_t i = 0; i < difference.size(); ++i)
         std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
                     static_cast<std::uint8_t>(std::lround(255 * errorOf(difference[i]))));

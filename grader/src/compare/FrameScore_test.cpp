@@ -164,12 +164,15 @@ TEST(FrameScore, TheDeadZoneEndsAboveFour) {
 
 TEST(FrameScore, TheErrorIsFullFromSixtyFour) {
     const auto errorAt = [](std::uint8_t value) {
-        return scoreFrame(flat(9, 9, {value, 0, 0}), flat(9, 9, kBlack), {}, 0).meanError;
+        const Colour middle{100, 100, 100};
+        return scoreFrame(flat(9, 9, {std::uint8_t(100 + value), 100, 100}), flat(9, 9, middle), {},
+                          0)
+            .meanError;
     };
     EXPECT_EQ(errorAt(4), 0);
     EXPECT_NEAR(errorAt(34), 0.5, 1e-6);
     EXPECT_NEAR(errorAt(64), 1, 1e-6);
-    EXPECT_NEAR(errorAt(255), 1, 1e-6);
+    EXPECT_NEAR(errorAt(155), 1, 1e-6);
 }
 
 TEST(FrameScore, AnotherSizeEarnsNothingAndSaysSo) {

@@ -13,7 +13,7 @@ namespace {
 
 using Table = std::array<std::uint8_t, 256>;
 
-/// What undoes a wrong power: v → v^exponent of values from 0 to 1.
+/// v → v^exponent of values from 0 to 1.
 Table powers(double exponent) {
     Table table{};
     for (std::size_t i = 0; i < table.size(); ++i)
@@ -22,37 +22,37 @@ Table powers(double exponent) {
     return table;
 }
 
-Picture throughTable(const Picture& frame, const Table& table) {
-    Picture mended = frame;
-    for (std::size_t i = 0; i < mended.rgba.size(); ++i)
+Picture throughTable(const Picture& picture, const Table& table) {
+    Picture spoilt = picture;
+    for (std::size_t i = 0; i < spoilt.rgba.size(); ++i)
         if (i % 4 != 3)
-            mended.rgba[i] = table[mended.rgba[i]];
-    return mended;
+            spoilt.rgba[i] = table[spoilt.rgba[i]];
+    return spoilt;
 }
 
-Picture withOrder(const Picture& frame, const std::array<std::size_t, 3>& order) {
-    Picture mended = frame;
-    for (std::size_t i = 0; i < frame.rgba.size(); i += 4)
+Picture withOrder(const Picture& picture, const std::array<std::size_t, 3>& order) {
+    Picture spoilt = picture;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
         for (std::size_t c = 0; c < 3; ++c)
-            mended.rgba[i + c] = frame.rgba[i + order[c]];
-    return mended;
+            spoilt.rgba[i + c] = picture.rgba[i + order[c]];
+    return spoilt;
 }
 
-Picture turned(const Picture& frame, bool rows, bool columns) {
-    Picture mended = frame;
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) {
-            const std::uint8_t* from =
-                frame.pixel(columns ? frame.width - 1 - x : x, rows ? frame.height - 1 - y : y);
-            std::copy(from, from + 4, mended.pixel(x, y));
+Picture turned(const Picture& picture, bool rows, bool columns) {
+    Picture spoilt = picture;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const std::uint8_t* from = picture.pixel(columns ? picture.width - 1 - x : x,
+                                                     rows ? picture.height - 1 - y : y);
+            std::copy(from, from + 4, spoilt.pixel(x, y));
         }
-    return mended;
+    return spoilt;
 }
 
 struct Candidate {
     const char* id;
     const char* says;
-    std::function<Picture(const Picture&)> undo;
+    std::function<Picture(const Picture&)> spoil;
 };
 
 const std::vector<Candidate>& candidates() {
@@ -84,9 +84,9 @@ const std::vector<Candidate>& candidates() {
              return withOrder(p, {2, 0, 1});
          }},
         {"gamma-missing", "gamma is missing: it is too dark in between",
-         [](const Picture& p) { return throughTable(p, powers(1 / 2.2)); }},
-        {"gamma-doubled", "gamma is applied once too often: it is too bright in between",
          [](const Picture& p) { return throughTable(p, powers(2.2)); }},
+        {"gamma-doubled", "gamma is applied once too often: it is too bright in between",
+         [](const Picture& p) { return throughTable(p, powers(1 / 2.2)); }},
     };
     return all;
 }
@@ -103,31 +103,32 @@ Picture thinned(const Picture& picture) {
     return thin;
 }
 
-/// Share of the pixels that differ much.
-double differing(const Picture& a, const Picture& b) {
-    const Map difference = plainDifference(planesOf(a), planesOf(b));
-    const auto much = std::count_if(difference.begin(), difference.end(),
-                                    [](std::uint8_t each) { return each > kSaturated / 4; });
-    return difference.empty() ? 0.0
-                              : static_cast<double>(much) / static_cast<double>(difference.size());
+double shareAbove(const Map& differences, int most) {
+    const auto above = std::count_if(differences.begin(), differences.end(),
+                                     [most](std::uint8_t each) { return each > most; });
+    return static_cast<double>(above) / static_cast<double>(differences.size());
 }
 
 }  // namespace
 
 std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference) {
     constexpr double kRough = 0.1;  // the thinned picture is a pixel off where it is turned
-    const Picture thinFrame = thinned(frame), thinReference = thinned(reference);
-    const Planes wanted = planesOf(reference);
-    for (const Candidate& candidate : candidates()) {
-        if (differing(candidate.undo(thinFrame), thinReference) > kRough)
-            continue;
-        Picture mended = candidate.undo(frame);
-        const Map difference = tolerantDifference(planesOf(mended), wanted);
-        const double outliers =
-            sumErrors(difference, frame.width).outliers / static_cast<double>(difference.size());
-        if (outliers <= kStrayPixels)
-            return WholeFrameFault{candidate.id, candidate.says, std::move(mended)};
-    }
+    const Picture thinReference = thinned(reference);
+    if (thinReference.empty())
+        return std::nullopt;
+    const Planes planes = planesOf(frame), thinPlanes = planesOf(thinned(frame));
+    const auto outliersOf = [&](const Picture& picture) {
+        return shareAbove(tolerantDifference(planes, planesOf(picture)), kDeadZone);
+    };
+    const bool isFlat = outliersOf(flatPicture(frame, mostFrequentColour(frame))) <= kStrayPixels;
+    if (isFlat)
+        return std::nullopt;  // shows nothing that could be wrong
+    const double allowed = std::min(kStrayPixels, 0.1 * outliersOf(reference));
+    for (const Candidate& candidate : candidates())
+        if (shareAbove(plainDifference(planesOf(candidate.spoil(thinReference)), thinPlanes),
+                       kDeadZone) <= kRough &&
+            outliersOf(candidate.spoil(reference)) <= allowed)
+            return WholeFrameFault{candidate.id, candidate.says};
     return std::nullopt;
 }
 

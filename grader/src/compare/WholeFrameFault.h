@@ -12,14 +12,14 @@ namespace grader {
 struct WholeFrameFault {
     std::string id;    ///< "rows-flipped"
     std::string says;  ///< "its rows are upside down"
-    Picture mended;    ///< the frame with it undone
 };
 
 /// Share of a frame's points that a whole-frame fault costs, once.
 inline constexpr double kFaultCharge = 0.5;
 
-/// The fault without which the frame is the reference: at most `kStrayPixels` of the pixels are
-/// still outliers. Nothing when there is none, or more than one at a time.
+/// The one fault by which the reference becomes the frame: at most `kStrayPixels` of the pixels
+/// differ then, and at most a tenth of those that do without it. Nothing when there is none, or
+/// more than one at a time, or when the frame is of one colour.
 std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference);
 
 inline constexpr double kStrayPixels = 0.01;
