@@ -28,7 +28,7 @@ test('a compiler error shows its line, the caret below the name', () => look('br
 }));
 
 test('matrices mark what is wrong, a recognised mistake stands out', () => look('sample', {}, async page => {
-  assert.deepEqual(await page.locator('.matrix td.wrong').allInnerTexts(),
+  assert.deepEqual(await page.locator('.matrix td.wrong').allTextContents(),
                    ['0.563 wrong', 'nan wrong']);
   assert.equal(await page.locator('.matrix').count(), 2);
   assert.match(await page.locator('.recognised').textContent(),

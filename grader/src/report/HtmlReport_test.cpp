@@ -54,7 +54,7 @@ AssignmentResult withFrame() {
 TEST(HtmlReport, HasScoreTasksAndReasons) {
     const std::string page = pageOf(sampleResult());
     EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
-    EXPECT_LT(page.find("75 / 100"), page.find("look-at")) << "the score stands on top";
+    EXPECT_LT(page.find("<b>75</b> / 100"), page.find("look-at")) << "the score stands on top";
     EXPECT_THAT(page, HasSubstr("expected (1, 2, 3), got (3, 2, 1)"));
     EXPECT_THAT(page, HasSubstr("Hint: Turn up too."));
     EXPECT_THAT(page, HasSubstr("sandbox: bubblewrap"));
