@@ -145,6 +145,16 @@ std::string headOf(const AssignmentResult& result) {
     return html + "</ul></header>\n";
 }
 
+/// What else decides a result. Where nothing was drawn, there is no renderer.
+std::string footOf(const AssignmentResult& result) {
+    const Environment& here = result.environment;
+    std::string all;
+    for (const std::string& each : {here.grader, here.compiler, here.glRenderer, here.cpu})
+        all += each.empty() ? "" : escaped(each) + "; ";
+    return fmt::format("<footer><p>Seed {}. {}sandbox: {}.</p></footer>\n", result.seed, all,
+                       escaped(here.sandbox));
+}
+
 std::string assignmentSection(const AssignmentResult& result, const fs::path& folder) {
     std::string html = fmt::format("<section class=\"assignment\" id=\"{}\">\n{}",
                                    escaped(result.assignment), headOf(result));
@@ -157,12 +167,7 @@ std::string assignmentSection(const AssignmentResult& result, const fs::path& fo
     if (result.status != "build_error")
         for (const TaskResult* task : byLoss(result))
             html += taskOf(*task, result, folder);
-    const Environment& here = result.environment;
-    return html + fmt::format(
-                      "<footer><p>Seed {}. {}; {}; {}; {}; sandbox: {}.</p></footer>"
-                      "</section>\n",
-                      result.seed, escaped(here.grader), escaped(here.compiler),
-                      escaped(here.glRenderer), escaped(here.cpu), escaped(here.sandbox));
+    return html + footOf(result) + "</section>\n";
 }
 
 /// Of several assignments, what each has earned.
