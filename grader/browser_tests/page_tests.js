@@ -87,7 +87,7 @@ test('on paper everything lies open and the pictures stand beside each other', (
     await page.emulateMedia({media: 'print', colorScheme: 'dark'});
     await standBesideEachOther(page);
     assert.ok(!await page.locator('.viewer').first().isVisible());
-    const hidden = await page.locator('.inside, .passed li, .warnings li').evaluateAll(
+    const hidden = await page.locator('.inside, .titles li, .warnings li').evaluateAll(
       all => all.filter(each => !each.checkVisibility({contentVisibilityAuto: true})).length);
     assert.equal(hidden, 0, 'parts that are closed on the screen are open on paper');
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor),
