@@ -12,6 +12,8 @@ struct Pixels {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
+    /// 1 for each pixel that a file of floats holds no number for; empty when there is none.
+    std::vector<std::uint8_t> broken;
 };
 
 }  // namespace cg

@@ -3,10 +3,13 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <new>
 
 namespace cg {
 namespace {
@@ -27,7 +30,7 @@ void requireSize(const std::string& path, int width, int height) {
 
 /// Spreads 1 (grey), 2 (grey, alpha), 3 or 4 channels over RGBA.
 Pixels toRgba(const std::vector<std::uint8_t>& values, int width, int height, int channels) {
-    Pixels pixels{width, height, std::vector<std::uint8_t>(rgbaBytes(width, height))};
+    Pixels pixels{width, height, std::vector<std::uint8_t>(rgbaBytes(width, height)), {}};
     const bool grey = channels < 3;
     const bool hasAlpha = channels == 2 || channels == 4;
     const std::uint8_t* from = values.data();
@@ -38,6 +41,46 @@ Pixels toRgba(const std::vector<std::uint8_t>& values, int width, int height, in
         pixels.rgba[to + 3] = hasAlpha ? from[channels - 1] : 255;
     }
     return pixels;
+}
+
+/// A linear value in sRGB (IEC 61966-2-1), 0 to 255.
+std::uint8_t toSrgb(float linear) {
+    const float v = std::clamp(linear, 0.0f, 1.0f);
+    const float encoded = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+    return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+}
+
+/// Reads floats; `broken` gets a 1 for each pixel with a value that is no number.
+std::vector<std::uint8_t> readFloats(OIIO::ImageInput& input, int channels,
+                                     std::vector<std::uint8_t>& broken) {
+    const auto pixels = rgbaBytes(input.spec().width, input.spec().height) / 4;
+    std::vector<float> floats(pixels * static_cast<std::size_t>(channels));
+    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, floats.data()))
+        return {};
+    std::vector<std::uint8_t> values(floats.size());
+    for (std::size_t i = 0; i < floats.size(); ++i) {
+        const bool isAlpha =
+            channels % 2 == 0 && i % std::size_t(channels) + 1 == std::size_t(channels);
+        if (!std::isfinite(floats[i])) {
+            broken.resize(pixels, 0);
+            broken[i / static_cast<std::size_t>(channels)] = 1;
+        } else {
+            values[i] = isAlpha ? static_cast<std::uint8_t>(
+                                      std::lround(255.0f * std::clamp(floats[i], 0.0f, 1.0f)))
+                                : toSrgb(floats[i]);
+        }
+    }
+    return values;
+}
+
+/// For a caller in C, who frees it.
+unsigned char* copyOf(const std::vector<std::uint8_t>& bytes) {
+    auto* copy = static_cast<unsigned char*>(std::malloc(bytes.size()));
+    if (copy == nullptr) {
+        throw std::bad_alloc();
+    }
+    std::memcpy(copy, bytes.data(), bytes.size());
+    return copy;
 }
 
 int report(const std::exception& failure, char* error, std::size_t errorSize) {
@@ -62,12 +105,20 @@ Pixels readImage(const std::string& path) {
     const OIIO::ImageSpec& spec = input->spec();
     requireSize(path, spec.width, spec.height);
     const int channels = std::min(spec.nchannels, 4);
-    std::vector<std::uint8_t> values(rgbaBytes(spec.width, spec.height) / 4 *
-                                     static_cast<std::size_t>(channels));
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, values.data())) {
+    std::vector<std::uint8_t> values, broken;
+    if (spec.format.is_floating_point()) {
+        values = readFloats(*input, channels, broken);
+    } else {
+        values.resize(rgbaBytes(spec.width, spec.height) / 4 * static_cast<std::size_t>(channels));
+        if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, values.data()))
+            values.clear();
+    }
+    if (values.empty()) {
         throw Error(path + ": the picture is damaged (" + input->geterror() + ")");
     }
-    return toRgba(values, spec.width, spec.height, channels);
+    Pixels pixels = toRgba(values, spec.width, spec.height, channels);
+    pixels.broken = std::move(broken);
+    return pixels;
 }
 
 void writeImage(const std::string& path, const Pixels& pixels) {
@@ -92,19 +143,15 @@ void writeImage(const std::string& path, const Pixels& pixels) {
 
 }  // namespace cg
 
-int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba, char* error,
-                  std::size_t errorSize) {
-    *rgba = nullptr;
+int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba,
+                  unsigned char** broken, char* error, std::size_t errorSize) {
+    *rgba = *broken = nullptr;
     try {
         const cg::Pixels pixels = cg::readImage(path);
-        auto* copy = static_cast<unsigned char*>(std::malloc(pixels.rgba.size()));
-        if (copy == nullptr) {
-            throw cg::Error(std::string(path) + ": not enough memory");
-        }
-        std::memcpy(copy, pixels.rgba.data(), pixels.rgba.size());
+        *rgba = cg::copyOf(pixels.rgba);
+        *broken = pixels.broken.empty() ? nullptr : cg::copyOf(pixels.broken);
         *width = pixels.width;
         *height = pixels.height;
-        *rgba = copy;
         return 0;
     } catch (const std::exception& failure) {
         return cg::report(failure, error, errorSize);
@@ -115,7 +162,7 @@ int cg_image_write(const char* path, int width, int height, const unsigned char*
                    std::size_t errorSize) {
     try {
         cg::requireSize(path, width, height);
-        cg::writeImage(path, {width, height, {rgba, rgba + cg::rgbaBytes(width, height)}});
+        cg::writeImage(path, {width, height, {rgba, rgba + cg::rgbaBytes(width, height)}, {}});
         return 0;
     } catch (const std::exception& failure) {
         return cg::report(failure, error, errorSize);

@@ -12,7 +12,8 @@
 namespace cg {
 
 /// Reads any picture that OpenImageIO knows: grey is spread over the three colours, missing alpha
-/// is 255, values are those in the file (8 bits, sRGB, alpha not multiplied in).
+/// is 255, values are those in the file (8 bits, sRGB, alpha not multiplied in). Files of floats
+/// (EXR, HDR) hold linear values: they are brought to sRGB, and what is no number is `broken`.
 /// At most 16384 pixels a side. Throws cg::Error that names the file.
 Pixels readImage(const std::string& path);
 
@@ -25,9 +26,10 @@ void writeImage(const std::string& path, const Pixels& pixels);
 extern "C" {
 
 /// As cg::readImage: 0 and the picture in *rgba (4 * width * height bytes, to be given to free()),
-/// or 1 and a sentence in error[0 .. errorSize), with *rgba null.
-int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba, char* error,
-                  std::size_t errorSize);
+/// or 1 and a sentence in error[0 .. errorSize), with *rgba null. *broken is null, or width * height
+/// bytes (to be given to free()) that are 1 where the file holds no number.
+int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba,
+                  unsigned char** broken, char* error, std::size_t errorSize);
 
 /// As cg::writeImage: 0, or 1 and a sentence in error[0 .. errorSize).
 int cg_image_write(const char* path, int width, int height, const unsigned char* rgba, char* error,

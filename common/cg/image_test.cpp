@@ -22,7 +22,7 @@ Pixels pattern(int width, int height) {
             }
         }
     }
-    return {width, height, rgba};
+    return {width, height, rgba, {}};
 }
 
 std::string bytes(const std::string& path) {
@@ -109,15 +109,15 @@ TEST_F(ImageTest, TheCFunctionsDoTheSame) {
     char error[200] = "";
     ASSERT_EQ(cg_image_write(path.c_str(), 7, 3, pixels.rgba.data(), error, sizeof error), 0);
     int width = 0, height = 0;
-    unsigned char* rgba = nullptr;
-    ASSERT_EQ(cg_image_read(path.c_str(), &width, &height, &rgba, error, sizeof error), 0);
+    unsigned char *rgba = nullptr, *broken = nullptr;
+    ASSERT_EQ(cg_image_read(path.c_str(), &width, &height, &rgba, &broken, error, sizeof error), 0);
     EXPECT_EQ(width, 7);
     EXPECT_EQ(height, 3);
     EXPECT_EQ(std::vector<std::uint8_t>(rgba, rgba + 7 * 3 * 4), pixels.rgba);
     std::free(rgba);
     EXPECT_STREQ(error, "");
 
-    EXPECT_EQ(cg_image_read("absent.png", &width, &height, &rgba, error, sizeof error), 1);
+    EXPECT_EQ(cg_image_read("absent.png", &width, &height, &rgba, &broken, error, sizeof error), 1);
     EXPECT_EQ(rgba, nullptr);
     EXPECT_STREQ(error, "absent.png: no such file");
     EXPECT_EQ(cg_image_write("a.png", 0, 3, pixels.rgba.data(), error, 6), 1);

@@ -31,6 +31,11 @@ struct FieldKind<int> {
     }
 };
 template <>
+struct FieldKind<bool> {
+    static std::string name() { return "true or false"; }
+    static bool holds(const Json& json) { return json.is_boolean(); }
+};
+template <>
 struct FieldKind<double> {
     static std::string name() { return "a number"; }
     static bool holds(const Json& json) { return json.is_number(); }

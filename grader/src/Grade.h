@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "Observe.h"
+#include "References.h"
 #include "Result.h"
 
 namespace grader {
@@ -21,6 +22,10 @@ public:
     AssignmentResult grade(const Manifest& manifest, const Submission& submission,
                            std::uint64_t seed) const;
 
+    /// The same from a stage: build, observe, judge, with what its tasks need mended and mistakes
+    /// recognised. `stage` is changed where another file had to be taken.
+    AssignmentResult gradeStaged(const Manifest& manifest, Stage& stage, std::uint64_t seed) const;
+
     /// One stage as it is, without looking for prerequisites. What proves the course consistent,
     /// and the core of grade().
     struct StageResult {
@@ -38,27 +43,27 @@ public:
     /// The stage of the starter or of the solution ("assignments", "solutions").
     Stage stageOf(const Manifest& manifest, const std::string& tree) const;
 
+    /// What the frames are scored by: with the published seed from reference_images/, with another
+    /// from what solution, starter and mistakes draw now.
+    const FrameRules& rules(const Manifest& manifest, std::uint64_t seed) const;
+
+    /// How known mistakes show themselves, as stored; throws Error when they are not.
+    const Signatures& signatures(const Manifest& manifest) const;
+
     const Toolchain& tools() const { return tools_; }
 
 private:
-    void judgeFrames(const Manifest& manifest, Frames frames, std::uint64_t seed,
-                     std::vector<CheckResult>& checks) const;
-    struct Reference {
-        Picture picture, starter;
-    };
-    using References = std::map<std::string, Reference>;  // by frame
-    const References& references(const Manifest& manifest, std::uint64_t seed) const;
-    References loadReferences(const Manifest& manifest) const;
-    References drawReferences(const Manifest& manifest, std::uint64_t seed) const;
     std::vector<CheckResult> unjudged(const Manifest& manifest) const;
-    void fillIn(AssignmentResult& result, const StageResult& graded, std::uint64_t seed) const;
+    void fillIn(AssignmentResult& result, const Manifest& manifest, const StageResult& graded,
+                std::uint64_t seed) const;
 
     const Toolchain& tools_;
     const Sandbox& sandbox_;
     Builder builder_;
     Observer observer_;
-    mutable std::mutex referencesMutex_;
-    mutable std::map<std::pair<std::string, std::uint64_t>, References> references_;
+    mutable std::mutex truthMutex_;
+    mutable std::map<std::pair<std::string, std::uint64_t>, FrameRules> rules_;
+    mutable std::map<std::string, Signatures> signatures_;  // by assignment
 };
 
 }  // namespace grader

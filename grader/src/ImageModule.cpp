@@ -13,7 +13,8 @@ namespace grader {
 namespace {
 
 struct ImageModule {
-    using Read = int (*)(const char*, int*, int*, unsigned char**, char*, std::size_t);
+    using Read = int (*)(const char*, int*, int*, unsigned char**, unsigned char**, char*,
+                         std::size_t);
     using Write = int (*)(const char*, int, int, const unsigned char*, char*, std::size_t);
     Read read;
     Write write;
@@ -39,15 +40,19 @@ constexpr std::size_t kErrorSize = 1024;
 
 Picture readPicture(const fs::path& path) {
     Picture picture;
-    unsigned char* pixels = nullptr;
+    unsigned char *pixels = nullptr, *broken = nullptr;
     char error[kErrorSize] = "";
-    if (imageModule().read(path.c_str(), &picture.width, &picture.height, &pixels, error,
+    if (imageModule().read(path.c_str(), &picture.width, &picture.height, &pixels, &broken, error,
                            sizeof error) != 0)
         throw Error("{} cannot be read: {}", path.string(), error);
     const std::unique_ptr<unsigned char, void (*)(void*)> owned(pixels, std::free);
     const auto size = std::size_t(4) * static_cast<std::size_t>(picture.width) *
                       static_cast<std::size_t>(picture.height);
     picture.rgba.assign(pixels, pixels + size);
+    const std::unique_ptr<unsigned char, void (*)(void*)> ownedFlags(broken, std::free);
+    for (std::size_t i = 0; broken && i < size / 4; ++i)
+        if (broken[i])
+            picture.broken.push_back(i);
     return picture;
 }
 

@@ -39,12 +39,29 @@ Task readTask(Fields fields) {
     return task;
 }
 
+Feature readFeature(Fields fields) {
+    Feature feature;
+    feature.id = fields.get<std::string>("id");
+    feature.title = fields.get<std::string>("title");
+    feature.task = fields.get<std::string>("task");
+    feature.points = fields.get<double>("points");
+    feature.without = fields.get<std::string>("without");
+    fields.done();
+    if (feature.points <= 0)
+        throw Error("{}: points must be above 0, found {}", fields.where(), feature.points);
+    return feature;
+}
+
 Frame readFrame(Fields fields) {
     Frame frame;
     frame.id = fields.get<std::string>("id");
     frame.title = fields.get<std::string>("title", frame.id);
-    frame.task = fields.get<std::string>("task");
-    frame.points = fields.get<double>("points");
+    for (const Fields& feature : fields.list("features"))
+        frame.features.push_back(readFeature(feature));
+    if (frame.features.empty()) {
+        frame.task = fields.get<std::string>("task");
+        frame.points = fields.get<double>("points");
+    }
     const auto size = fields.get<std::vector<int>>("size");
     frame.tolerance = fields.get<double>("tolerance", kDefaultTolerance);
     const auto why = fields.get<std::string>("why", "");
@@ -53,8 +70,6 @@ Frame readFrame(Fields fields) {
         std::max(size[0], size[1]) > kLargestFrame)
         throw Error("{}: field \"size\": expected [width, height] in pixels, 1 to {}",
                     fields.where(), kLargestFrame);
-    if (frame.points < 0)
-        throw Error("{}: points must not be below 0, found {}", fields.where(), frame.points);
     if (frame.points < 0)
         throw Error("{}: points must not be negative, found {}", fields.where(), frame.points);
     if (frame.tolerance > kDefaultTolerance && why.empty())
@@ -97,10 +112,12 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
     }
     if (std::abs(sum - 100.0) > 1e-6)
         throw Error("{}: the points of all tasks must add up to 100, found {}", file, sum);
-    for (const Frame& frame : manifest.frames)
-        if (!manifest.task(frame.task))
-            throw Error("{}: frame \"{}\" names the unknown task \"{}\"", file, frame.id,
-                        frame.task);
+    for (const Frame& frame : manifest.frames) {
+        requireDistinctIds(frame.features, "features", file + ": frame \"" + frame.id + "\"");
+        for (const std::string& task : frame.tasks())
+            if (!manifest.task(task))
+                throw Error("{}: frame \"{}\" names the unknown task \"{}\"", file, frame.id, task);
+    }
     if (manifest.id != manifest.folder.filename())
         throw Error("{}: field \"id\": expected the folder's name \"{}\", found \"{}\"", file,
                     manifest.folder.filename().string(), manifest.id);
@@ -140,8 +157,25 @@ const Task* Manifest::task(const std::string& taskId) const {
 double Manifest::framePoints(const std::string& taskId) const {
     double sum = 0;
     for (const Frame& frame : frames)
-        if (frame.task == taskId)
-            sum += frame.points;
+        sum += frame.pointsOf(taskId);
+    return sum;
+}
+
+std::vector<std::string> Frame::tasks() const {
+    if (features.empty())
+        return {task};
+    std::vector<std::string> all;
+    for (const Feature& feature : features)
+        if (std::find(all.begin(), all.end(), feature.task) == all.end())
+            all.push_back(feature.task);
+    return all;
+}
+
+double Frame::pointsOf(const std::string& taskId) const {
+    double sum = task == taskId ? points : 0;
+    for (const Feature& feature : features)
+        if (feature.task == taskId)
+            sum += feature.points;
     return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Fields.h"
+#include "Regions.h"
 
 namespace grader {
 
@@ -18,14 +19,41 @@ std::vector<Mistake> readMistakes(const fs::path& solution) {
         mistake.says = fields.get<std::string>("says");
         mistake.section = fields.get<std::string>("section");
         mistake.loses = fields.get<std::set<std::string>>("loses");
+        mistake.earnsNothing = fields.get<bool>("earns_nothing", false);
         fields.done();
-        const std::string name = mistake.id + fs::path(mistake.file).extension().string();
-        mistake.body = readFile(solution / "mistakes" / name);
-        if (fs::exists(solution / "mistakes" / "second" / name))
-            mistake.second = readFile(solution / "mistakes" / "second" / name);
+        mistake.body = readFile(solution / "mistakes" / mistake.fileName());
+        if (const fs::path second = solution / "mistakes" / "second" / mistake.fileName();
+            fs::exists(second))
+            mistake.second = readFile(second);
         mistakes.push_back(std::move(mistake));
     }
     return mistakes;
+}
+
+std::string Mistake::fileName() const {
+    return id + fs::path(file).extension().string();
+}
+
+void layOver(Stage& stage, const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).string();
+        if (!entry.is_regular_file() || name == "loses.json")
+            continue;
+        StagedFile* file = stage.find(name);
+        if (!file || file->role == Role::provided)
+            throw Error("{} is no file that students hand in: remove it", entry.path().string());
+        file->content = readFile(entry.path());
+    }
+}
+
+Stage stageWith(Stage solution, const Mistake& mistake, const std::string& body) {
+    StagedFile* file = solution.find(mistake.file);
+    const auto text = file ? withRegion(file->content, mistake.region, body) : std::nullopt;
+    if (!text)
+        throw Error("mistake {}: the solution's {} has no region TODO({})", mistake.id,
+                    mistake.file, mistake.region);
+    file->content = *text;
+    return solution;
 }
 
 std::vector<std::string> unexpectedLosses(const Mistake& mistake,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "Collect.h"
 #include "Result.h"
 
 namespace grader {
@@ -16,10 +17,21 @@ struct Mistake {
     std::string body;     ///< mistakes/ID.cpp, or .vert, .frag as `file` has it
     std::string second;   ///< the same mistake written by other means; empty where there is none
     std::set<std::string> loses;  ///< ids of the tasks that lose points
+    bool earnsNothing = false;    ///< identity, zero, a constant: no point in its own task
+
+    std::string fileName() const;  ///< of its body: the id with the ending of `file`
 };
 
 /// All mistakes of a solution's folder. Throws Error that names file and field.
 std::vector<Mistake> readMistakes(const fs::path& solution);
+
+/// The solution's stage with a mistake's body (`body`, or `second`) in its region. Throws Error
+/// when the file has no such region.
+Stage stageWith(Stage solution, const Mistake& mistake, const std::string& body);
+
+/// Lays the files of a folder over a stage: other versions of what a student hands in. Throws Error
+/// for one that no student hands in; loses.json is left out.
+void layOver(Stage& stage, const fs::path& folder);
 
 /// What a mistake loses and its entry does not say, or the other way round; one sentence each.
 std::vector<std::string> unexpectedLosses(const Mistake& mistake,

@@ -1,6 +1,7 @@
 #include "Observe.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "Error.h"
@@ -47,6 +48,41 @@ std::string lastLine(const std::string& text) {
     const auto start = text.rfind('\n', end);
     return text.substr(start == std::string::npos ? 0 : start + 1,
                        end - (start == std::string::npos ? 0 : start + 1) + 1);
+}
+
+/// What is not a finite number is null in JSON.
+std::vector<double> numbersOf(const Json& json) {
+    std::vector<double> numbers;
+    for (const Json& each : json)
+        numbers.push_back(each.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                         : each.get<double>());
+    return numbers;
+}
+
+std::vector<std::vector<double>> rowsOf(const Json& json) {
+    std::vector<std::vector<double>> rows;
+    for (const Json& row : json)
+        rows.push_back(numbersOf(row));
+    return rows;
+}
+
+/// One element of what JudgeMain.cpp writes.
+TestOutcome testOutcomeOf(const Json& json) {
+    TestOutcome test;
+    test.suite = json.at("suite");
+    test.name = json.at("name");
+    test.title = json.at("title");
+    test.hint = json.at("hint");
+    test.hidden = json.at("hidden");
+    test.todos = json.at("todos");
+    test.verdict = {judge::statusFromString(json.at("status")), json.at("message")};
+    if (const Json& comparison = json.at("comparison"); !comparison.is_null())
+        test.comparison = {comparison.at("what"), rowsOf(comparison.at("expected")),
+                           rowsOf(comparison.at("got")), comparison.at("tolerance")};
+    for (const Json& each : json.at("evidence"))
+        test.evidence.push_back(
+            {each.at("key"), each.at("outcome"), each.at("type"), numbersOf(each.at("numbers"))});
+    return test;
 }
 
 }  // namespace
@@ -98,12 +134,7 @@ std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const 
     std::vector<TestOutcome> outcomes;
     const Json document = parseJsonFile(resultFile.string());
     for (const Json& each : document.at("checks"))
-        outcomes.push_back({each.at("suite"),
-                            each.at("name"),
-                            each.at("title"),
-                            each.at("hint"),
-                            each.at("todos"),
-                            {judge::statusFromString(each.at("status")), each.at("message")}});
+        outcomes.push_back(testOutcomeOf(each));
     return outcomes;
 }
 
@@ -117,7 +148,7 @@ std::vector<TestOutcome> Observer::listTests(const Manifest& manifest) const {
     for (std::string line; std::getline(lines, line);) {
         line = line.substr(0, line.find("  #"));
         if (line.starts_with("  "))
-            tests.push_back({suite, line.substr(2), line.substr(2), "", {}, {}});
+            tests.push_back({.suite = suite, .name = line.substr(2), .title = line.substr(2)});
         else if (line.ends_with("."))
             suite = line.substr(0, line.size() - 1);
     }

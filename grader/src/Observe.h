@@ -1,12 +1,15 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "Build.h"
+#include "Comparison.h"
 #include "Manifest.h"
 #include "compare/Picture.h"
+#include "subject/Evidence.h"
 #include "subject/Status.h"
 
 namespace grader {
@@ -16,6 +19,9 @@ struct TestOutcome {
     std::string suite, name, title, hint;
     std::vector<std::string> todos;  ///< unfilled regions that were reached
     judge::Verdict verdict{judge::Status::graderError, ""};
+    bool hidden = false;
+    std::optional<Comparison> comparison;
+    std::vector<judge::Evidence> evidence;
 
     std::string id() const { return suite + "." + name; }
 };

@@ -141,13 +141,17 @@ private:
                        const std::vector<std::string>& replaced) {
         std::set<std::string> gained;
         for (CheckResult& check : graded_.checks)
-            for (CheckResult& other : again.checks)
-                if (lost.contains(check.task) && other.id == check.id &&
-                    other.points > check.points) {
+            for (CheckResult& other : again.checks) {
+                if (!lost.contains(check.task) || other.id != check.id)
+                    continue;
+                // What a mistake is recognised by must not be blurred by one in what it needs.
+                check.evidence = other.evidence;
+                if (other.points > check.points) {
                     gained.insert(check.task);
                     check = std::move(other);
-                    break;
                 }
+                break;
+            }
         if (!gained.empty())
             notices_.push_back(
                 fmt::format("{} rests on {}, which loses points of its own: graded "

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "Comparison.h"
 #include "Diagnostics.h"
 #include "Manifest.h"
 #include "compare/FrameScore.h"
 #include "compare/Picture.h"
+#include "subject/Evidence.h"
 #include "subject/Status.h"
 
 namespace grader {
@@ -19,13 +21,6 @@ using judge::Status;
 struct FramePictures {
     Picture submission, reference, difference;
     FrameScore score;
-};
-
-/// A vector or matrix that a test compared and found wrong.
-struct Comparison {
-    std::string what;                                ///< "rotation(50, (1, 2, 3))"
-    std::vector<std::vector<double>> expected, got;  ///< by rows; a vector is one column
-    double tolerance = 0;                            ///< largest difference that still agrees
 };
 
 /// What one feature of a frame earned, see FORMAT.md.
@@ -52,7 +47,9 @@ struct CheckResult {
     double points = 0, maxPoints = 0;
     std::string message;  ///< one sentence on what was lost; empty for a full check
     std::string hint;
-    std::vector<std::string> todos;  ///< unfilled regions that were reached
+    std::vector<std::string> todos;         ///< unfilled regions that were reached
+    bool hidden = false;                    ///< a test that students do not have
+    std::vector<judge::Evidence> evidence;  ///< what the subject answered
     std::optional<Comparison> comparison;
     std::vector<FeatureResult> features;  ///< of a frame whose points belong to features
     std::optional<FramePictures> pictures;

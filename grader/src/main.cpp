@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Error.h"
+#include "commands/CompareCommand.h"
 #include "commands/CourseCommands.h"
 #include "commands/DeveloperCommands.h"
 #include "commands/GradeCommand.h"
@@ -37,10 +38,12 @@ int main(int argc, char** argv) {
     app.require_subcommand(0, 1);
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
+    grader::addCompareCommand(app, exitCode);
     grader::addWindowCommand(app, exitCode);
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
+    grader::addSyncStartersCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));

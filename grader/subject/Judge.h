@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <runner/SeededValues.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <string>
@@ -60,6 +61,12 @@ std::string say(const std::string& format, const A&... values) {
 /// Adds a sentence to the current check's failure.
 void fail(const std::string& sentence);
 
+/// Says what the current check sees of the last answer, when that is less than all of it: by this,
+/// not by the answer, a known mistake is recognised. Colours of the student's own choice, the order
+/// of parts or an alpha that nobody asked for stay out of it. `type`: "list"; "shares" (mostly 0
+/// and 1, of which a few may differ); for what has no order there is orderless(), Evidence.h.
+void observed(const std::string& type, std::vector<double> numbers);
+
 /// Numbers agree when the largest difference is at most tolerance * max(1, |expected|); a number
 /// that is not finite never agrees. Failing says "what: expected …, got …". Returns success.
 template <class T>
@@ -71,6 +78,27 @@ bool expectThat(const std::string& what, bool condition, const std::string& foun
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
+/// Keeps the first vector or matrix that was wrong, for the report to show.
+void compared(const std::string& what, std::vector<std::vector<double>> expected,
+              std::vector<std::vector<double>> got, double tolerance);
+
+/// By rows; a vector is one column, a number has none.
+template <class T>
+std::vector<std::vector<double>> rowsOf(const T& value) {
+    std::vector<std::vector<double>> rows;
+    if constexpr (requires { value[0][0]; }) {
+        for (glm::length_t i = 0; i < value[0].length(); ++i) {
+            rows.emplace_back();
+            for (glm::length_t j = 0; j < value.length(); ++j)
+                rows.back().push_back(static_cast<double>(value[j][i]));
+        }
+    } else if constexpr (requires { value[0]; }) {
+        for (glm::length_t i = 0; i < value.length(); ++i)
+            rows.push_back({static_cast<double>(value[i])});
+    }
+    return rows;
+}
+
 template <class T>
 float largest(const T& value) {
     if constexpr (std::is_arithmetic_v<T>) {
@@ -95,6 +123,7 @@ bool expectClose(const std::string& what, const T& got, const T& expected, float
     if (difference <= allowed)  // false for NaN
         return true;
     fail(what + ": expected " + show(expected) + ", got " + show(got));
+    detail::compared(what, detail::rowsOf(expected), detail::rowsOf(got), double(allowed));
     return false;
 }
 

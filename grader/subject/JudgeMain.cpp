@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "subject/Evidence.h"
 #include "subject/Judge.h"
 
 /// A test program's main: runs the checks and writes what became of each, as
-/// {"checks": [{"suite", "name", "title", "hint", "todos", "status", "message"}]}.
+/// {"checks": [{"suite", "name", "title", "hint", "hidden", "todos", "status", "message",
+/// "comparison", "evidence": [{"key", "outcome", "type", "numbers"}]}]}.
 
 namespace judge {
 
@@ -20,6 +22,8 @@ struct CurrentCheck {
     std::vector<std::string> sentences;  ///< of failed expectations
     std::optional<Verdict> verdict;      ///< set when the subject gave no value
     std::vector<std::string> todos;
+    nlohmann::json comparison;       ///< null until something compared was wrong
+    std::vector<Evidence> evidence;  ///< what the subject answered
     std::optional<Random> random;
 };
 
@@ -27,12 +31,11 @@ CurrentCheck current;
 std::unique_ptr<Subject> theSubject;
 std::uint64_t seed = 1;
 
-/// FNV-1a: the same on every machine, unlike std::hash.
-std::uint64_t hashOf(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const unsigned char each : text)
-        hash = (hash ^ each) * 0x100000001b3u;
-    return hash;
+nlohmann::json jsonOf(const Evidence& evidence) {
+    return {{"key", evidence.key},
+            {"outcome", evidence.outcome},
+            {"type", evidence.type},
+            {"numbers", evidence.numbers}};
 }
 
 Verdict verdictOf(const testing::TestResult& result) {
@@ -61,11 +64,21 @@ public:
                           {"name", info.name()},
                           {"title", current.title},
                           {"hint", current.hint},
+                          {"hidden", isHidden(info)},
                           {"todos", current.todos},
                           {"status", toString(verdict.status)},
-                          {"message", verdict.message}});
+                          {"message", verdict.message},
+                          {"comparison", current.comparison},
+                          {"evidence", nlohmann::json::array()}});
+        for (const Evidence& each : current.evidence)
+            checks.back()["evidence"].push_back(jsonOf(each));
     }
     nlohmann::json checks = nlohmann::json::array();
+
+private:
+    static bool isHidden(const testing::TestInfo& info) {
+        return std::string(info.file()).find("/hidden_tests/") != std::string::npos;
+    }
 };
 
 }  // namespace
@@ -87,12 +100,30 @@ void fail(const std::string& sentence) {
     ADD_FAILURE() << sentence;
 }
 
+void observed(const std::string& type, std::vector<double> numbers) {
+    if (current.evidence.empty())
+        throw std::logic_error("observed() comes after a request");
+    current.evidence.back().type = type;
+    current.evidence.back().numbers = std::move(numbers);
+}
+
+void detail::compared(const std::string& what, std::vector<std::vector<double>> expected,
+                      std::vector<std::vector<double>> got, double tolerance) {
+    if (!current.comparison.is_null() || expected.empty())
+        return;
+    current.comparison = {
+        {"what", what}, {"expected", expected}, {"got", got}, {"tolerance", tolerance}};
+}
+
 /// Lets the current check know what its requests ran into.
 void observe(Subject& each) {
     each.onTodos = [](const std::vector<std::string>& ids) {
         current.todos.insert(current.todos.end(), ids.begin(), ids.end());
     };
     each.onFailure = [](const Verdict& verdict) { current.verdict = verdict; };
+    each.onAnswer = [](const protocol::Request& request, const protocol::Answer& answer) {
+        current.evidence.push_back(evidenceOf(request, answer));
+    };
 }
 
 }  // namespace judge

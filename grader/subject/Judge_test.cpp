@@ -7,12 +7,22 @@
 
 namespace {
 std::vector<std::string> failures;  // what a check would have been told
-}
+struct {
+    std::string what;
+    std::vector<std::vector<double>> expected, got;
+} comparison;  // what a report would show
+}  // namespace
 
 namespace judge {
 void fail(const std::string& sentence) {
     failures.push_back(sentence);
 }
+namespace detail {
+void compared(const std::string& what, std::vector<std::vector<double>> expected,
+              std::vector<std::vector<double>> got, double) {
+    comparison = {what, std::move(expected), std::move(got)};
+}
+}  // namespace detail
 }  // namespace judge
 
 namespace {

@@ -18,7 +18,8 @@ class LinkedSubject : public Subject {
 public:
     LinkedSubject() { cg_register_harness(harness_); }
 
-    protocol::Answer ask(protocol::Request request) override {
+protected:
+    protocol::Answer answerTo(protocol::Request request) override {
         protocol::Answer answer;
         const auto found = harness_.functions.find(request.name);
         if (found == harness_.functions.end()) {

@@ -33,7 +33,8 @@ public:
     }
     ~ProcessSubject() override { stop(); }
 
-    Answer ask(Request request) override {
+protected:
+    Answer answerTo(Request request) override {
         if (pid_ < 0)
             start();
         if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)

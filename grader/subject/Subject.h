@@ -35,7 +35,11 @@ public:
     virtual ~Subject() = default;
 
     /// Sends one request and returns what became of it; never throws for the student's faults.
-    virtual protocol::Answer ask(protocol::Request request) = 0;
+    protocol::Answer ask(const protocol::Request& request) {
+        protocol::Answer answer = answerTo(request);
+        onAnswer(request, answer);
+        return answer;
+    }
 
     /// Calls a function of the harness, in a process of its own. Throws SubjectFailure when no
     /// value of type R comes back.
@@ -73,6 +77,9 @@ public:
             makeRequest(protocol::RequestKind::draw, function, protocol::encode(arguments...)));
     }
 
+    /// Told every request and what became of it.
+    std::function<void(const protocol::Request&, const protocol::Answer&)> onAnswer =
+        [](const auto&, const auto&) {};
     /// Told the ids of unfilled regions that a request reached.
     std::function<void(const std::vector<std::string>&)> onTodos = [](const auto&) {};
     /// Told why a call brings no value, before SubjectFailure is thrown.
@@ -80,6 +87,9 @@ public:
 
     std::uint32_t callTimeoutMs = 2000;
     std::uint32_t outputBytes = 65536;
+
+protected:
+    virtual protocol::Answer answerTo(protocol::Request request) = 0;
 
 private:
     [[noreturn]] void giveUp(const Verdict& why);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kInside = -1;  ///< told apart from a first step escape here: they may look different
 constexpr int kFewest = 4;  ///< pixels of a level set whose colour is compared with its neighbour's
+constexpr int kGrid = 4;    ///< pixels between those whose colours are compared for the evidence
 constexpr float kSame = 1e-5f;  ///< largest difference within one colour
 
 template <class Real>
@@ -105,6 +106,20 @@ bool isFirm(const glm::vec2& c, int maxiter, float zoom) {
     return levelOf<float>(c.x, c.y, maxiter) == level;
 }
 
+void observeEdges(const std::vector<glm::vec3>& pictures) {
+    const int rows = static_cast<int>(pictures.size()) / kSide;
+    std::vector<double> edges;
+    const auto colour = [&](int row, int column) {
+        return pictures.at(static_cast<std::size_t>(row * kSide + column));
+    };
+    for (int row = 0; row + kGrid < rows; row += kGrid)
+        for (int column = 0; column + kGrid < kSide; column += kGrid) {
+            edges.push_back(isSame(colour(row, column), colour(row, column + kGrid)) ? 0 : 1);
+            edges.push_back(isSame(colour(row, column), colour(row + kGrid, column)) ? 0 : 1);
+        }
+    observed("shares", edges);
+}
+
 std::string tell(const View& view) {
     return say("center {}, zoom {}, maxiter {}", view.center, view.zoom, view.maxiter);
 }
@@ -147,8 +162,10 @@ bool areAlike(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) 
 }
 
 std::vector<glm::vec3> pictureOf(const View& view) {
-    return subject().shade<std::vector<glm::vec3>>("picture", view.center, view.zoom, view.maxiter,
-                                                   kSide);
+    auto picture = subject().shade<std::vector<glm::vec3>>("picture", view.center, view.zoom,
+                                                           view.maxiter, kSide);
+    observeEdges(picture);
+    return picture;
 }
 
 bool expectPicture(const View& view) {

@@ -28,6 +28,10 @@ bool isFirm(const glm::vec2& c, int maxiter, float zoom = 1.0f);
 /// "center (0, 0), zoom 2, maxiter 50"
 std::string tell(const View& view);
 
+/// Keeps for the evidence what every palette shows alike: where colours change between pixels some
+/// way apart. `pictures`: one or more below each other, kSide wide.
+void observeEdges(const std::vector<glm::vec3>& pictures);
+
 /// What is wrong with a picture, which pixels or levels; empty when each level set has one colour
 /// and neighbouring ones have two. Inside and first step escapes, both of I = 0, may be one colour
 /// or two.

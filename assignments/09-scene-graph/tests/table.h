@@ -1,6 +1,7 @@
 // Where the parts of a table belong, computed in the judge.
 #pragma once
 
+#include <subject/Evidence.h>
 #include <subject/Judge.h>
 
 #include <algorithm>
@@ -44,6 +45,14 @@ struct Table {
     }
 };
 
+/// Middle and half size of the cube of side 1 behind a matrix.
+inline std::vector<double> extentOf(const mat4& matrix) {
+    const vec3 middle(matrix[3]);
+    const vec3 half =
+        0.5f * (glm::abs(vec3(matrix[0])) + glm::abs(vec3(matrix[1])) + glm::abs(vec3(matrix[2])));
+    return {middle.x, middle.y, middle.z, half.x, half.y, half.z};
+}
+
 /// What came of buildTable.
 struct Built {
     std::vector<mat4> pieces, feet;
@@ -55,6 +64,10 @@ inline Built built(const Table& table) {
     const auto [pieces, feet, legPiece, legEdges] =
         judge::subject().call<std::tuple<std::vector<mat4>, std::vector<mat4>, mat4, int>>(
             "table", table.size, table.thickness);
+    std::vector<std::vector<double>> extents;
+    for (const mat4& piece : pieces)
+        extents.push_back(extentOf(piece));
+    judge::observed("set", judge::orderless(extents));
     return {pieces, feet, legPiece, legEdges};
 }
 
@@ -77,9 +90,8 @@ inline bool fills(const mat4& matrix, const Box& box) {
 
 /// "from (0, 0, 0) to (1, 1, 1)": the extent of the cube of side 1 behind a matrix.
 inline std::string extent(const mat4& matrix) {
-    const vec3 middle(matrix[3]);
-    const vec3 half =
-        0.5f * (glm::abs(vec3(matrix[0])) + glm::abs(vec3(matrix[1])) + glm::abs(vec3(matrix[2])));
+    const auto e = extentOf(matrix);
+    const vec3 middle(e[0], e[1], e[2]), half(e[3], e[4], e[5]);
     return judge::say("from {} to {}", middle - half, middle + half);
 }
 

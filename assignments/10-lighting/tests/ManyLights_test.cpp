@@ -1,5 +1,7 @@
 // Many lights, the sum of (10.20): the colour under several lights is the sum of what the same
 // shader shows under each of them alone.
+#include <algorithm>
+
 #include "truth.h"
 
 using namespace judge;

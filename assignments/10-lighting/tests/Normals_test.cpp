@@ -2,6 +2,8 @@
 // light in its turn, so the light's direction is the same in the world and for the camera.
 // As long as the normal is right, a light that is turned by modelview, or one that is always taken
 // for a point, costs nothing here; neither does a wrong diffuse part if n.h is right.
+#include <algorithm>
+
 #include "truth.h"
 
 using namespace judge;

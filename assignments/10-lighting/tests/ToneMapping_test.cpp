@@ -1,5 +1,7 @@
 // Tone mapping, (10.2): each channel of the final sum becomes A L^gamma. Judged by what it does to
 // the colour that the shader gives with A = 1 and gamma = 1.
+#include <algorithm>
+
 #include "truth.h"
 
 using namespace judge;

@@ -11,6 +11,7 @@
 
 #include <subject/Judge.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <vector>
@@ -73,9 +74,13 @@ inline Colors shade(const std::vector<Trial>& trials) {
             lights.push_back(vec4(lamp.color, 1.0f));
     }
     Colors colors;
+    std::vector<double> seen;
     for (const vec4& color : judge::subject().shade<std::vector<vec4>>(
-             "lighting", counts, positions, normals, matrices, values, lights))
+             "lighting", counts, positions, normals, matrices, values, lights)) {
         colors.push_back(dvec3(color));
+        seen.insert(seen.end(), {color.r, color.g, color.b});
+    }
+    judge::observed("list", seen);
     return colors;
 }
 

@@ -1,65 +1,208 @@
-// Mistakes are recognised: measured on a second, independently written version of each.
+// How well mistakes are recognised, measured on what their signatures were not made from: a second,
+// independently written version of each, with another seed; pairs of them; right programs that are
+// written otherwise.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <iostream>
 
 #include "Error.h"
 #include "Grade.h"
 #include "Mistakes.h"
-#include "Prerequisites.h"
-#include "Regions.h"
 #include "commands/CourseCommands.h"
 #include "commands/GradeCommand.h"
+#include "course/Findings.h"
 
 namespace grader {
 
 namespace {
 
 constexpr std::uint64_t kOtherSeed = 2;
+constexpr double kLeastNamed = 0.95;
+constexpr double kMostWrong = 0.05;
+constexpr std::size_t kPairs = 12;
+constexpr int kFewestVariants = 5;
 
 struct Options {
     std::vector<std::string> assignments;
     std::string only;
 };
 
-int checkAssignment(const Grader& grader, const std::string& id, const std::string& only) {
-    const fs::path& root = grader.tools().root;
-    const Manifest manifest = loadAssignment(root, id);
-    int findings = 0;
-    const auto finding = [&](const std::string& text) {
-        ++findings;
-        std::cout << "  ✗ " << text << "\n" << std::flush;
-    };
-    for (const Mistake& mistake : readMistakes(root / "solutions" / id)) {
-        if (!only.empty() && mistake.id.find(only) == std::string::npos)
-            continue;
-        if (mistake.second.empty()) {
-            finding("mistake " + mistake.id + " has no second version");
-            continue;
+/// How often a name was right.
+struct Tally {
+    int all = 0, named = 0, together = 0, silent = 0, wrong = 0;
+
+    /// `made`: the mistakes that are in the code.
+    void count(const std::optional<Recognised>& said, const std::set<std::string>& made) {
+        ++all;
+        if (!said) {
+            ++silent;
+            return;
         }
-        Stage stage = grader.stageOf(manifest, "solutions");
-        StagedFile& file = *stage.find(mistake.file);
-        file.content = withRegion(file.content, mistake.region, mistake.second).value();
-        Grader::StageResult graded = grader.gradeStage(manifest, stage, kOtherSeed);
-        if (!graded.build.ok) {
-            finding("second version of " + mistake.id +
-                    " does not compile: " + graded.build.diagnostics.front().message);
-            continue;
-        }
-        std::vector<std::string> notices;
-        mendPrerequisites(grader, manifest, stage, kOtherSeed, graded, notices);
-        for (const std::string& each : unexpectedLosses(mistake, graded.checks))
-            finding("second version: " + each);
+        const auto& ids = said->mistakes;
+        const bool right = std::any_of(ids.begin(), ids.end(),
+                                       [&](const std::string& id) { return made.contains(id); });
+        ++(!right ? wrong : ids.size() > 1 ? together : named);
     }
-    std::cout << id << ": " << findings << " findings\n";
-    return findings;
-}
+    double shareRight() const { return all ? double(named + together) / all : 1.0; }
+    double shareWrong() const { return all ? double(wrong) / all : 0.0; }
+};
+
+class RecognitionCheck {
+public:
+    RecognitionCheck(const Grader& grader, const std::string& id)
+        : grader_(grader),
+          manifest_(loadAssignment(grader.tools().root, id)),
+          solution_(grader.stageOf(manifest_, "solutions")),
+          mistakes_(readMistakes(grader.tools().root / "solutions" / id)) {}
+
+    int run(const std::string& only) {
+        std::erase_if(mistakes_,
+                      [&](const Mistake& each) { return each.id.find(only) == std::string::npos; });
+        if (mistakes_.empty())
+            throw Error("no mistake of {} has \"{}\" in its id", manifest_.id, only);
+        for (const Mistake& mistake : mistakes_)
+            checkSecond(mistake);
+        if (only.empty()) {
+            checkPairs();
+            checkVariants();
+        }
+        judgeTallies();
+        print();
+        return findings_.count();
+    }
+
+private:
+    /// The tasks of a submission, as a student's report would show them.
+    std::vector<TaskResult> graded(Stage stage, const std::string& what) {
+        AssignmentResult result = grader_.gradeStaged(manifest_, stage, kOtherSeed);
+        if (!result.buildOk)
+            findings_.add(what + " does not compile: " + result.diagnostics.front().message,
+                          "edit it in solutions/" + manifest_.id);
+        return result.tasks;
+    }
+
+    void checkSecond(const Mistake& mistake) {
+        const std::string what = "second version of " + mistake.id;
+        if (mistake.second.empty()) {
+            findings_.add(
+                "mistake " + mistake.id + " has no second version",
+                "write solutions/" + manifest_.id + "/mistakes/second/" + mistake.fileName());
+            return;
+        }
+        std::vector<CheckResult> checks;
+        for (const TaskResult& task : graded(stageWith(solution_, mistake, mistake.second), what)) {
+            checks.insert(checks.end(), task.checks.begin(), task.checks.end());
+            if (task.id != mistake.region)
+                continue;
+            seconds_.count(task.recognised, {mistake.id});
+            tell(mistake.id, task.recognised, {mistake.id});
+        }
+        for (const std::string& each : unexpectedLosses(mistake, checks))
+            findings_.add("second version: " + each, "edit solutions/" + manifest_.id +
+                                                         "/mistakes/second/" + mistake.fileName());
+    }
+
+    /// Two mistakes of different regions, in their second versions: in each task that loses, one of
+    /// the two is named, or nothing is said.
+    void checkPairs() {
+        std::size_t made = 0;
+        for (std::size_t step = 1; step < mistakes_.size() && made < kPairs; ++step) {
+            const Mistake& one = mistakes_[step * 5 % mistakes_.size()];
+            const Mistake& other = mistakes_[(step * 5 + mistakes_.size() / 2) % mistakes_.size()];
+            if (one.region == other.region || one.second.empty() || other.second.empty())
+                continue;
+            ++made;
+            const std::string what = one.id + " with " + other.id;
+            const Stage stage =
+                stageWith(stageWith(solution_, one, one.second), other, other.second);
+            for (const TaskResult& task : graded(stage, what))
+                if (one.loses.contains(task.id) || other.loses.contains(task.id)) {
+                    pairs_.count(task.recognised, {one.id, other.id});
+                    tell(what + " in " + task.id, task.recognised, {one.id, other.id});
+                }
+        }
+    }
+
+    void checkVariants() {
+        const fs::path folder = grader_.tools().root / "solutions" / manifest_.id / "variants";
+        for (const auto& variant : fs::directory_iterator(folder)) {
+            Stage stage = solution_;
+            if (fs::exists(variant.path() / "loses.json"))
+                continue;
+            layOver(stage, variant.path());
+            ++variants_;
+            for (const TaskResult& task : graded(stage, variant.path().string())) {
+                if (task.status != Status::pass || task.recognised)
+                    ++accused_;
+                if (task.status != Status::pass)
+                    findings_.add(
+                        "variant " + variant.path().filename().string() + " loses in " + task.id,
+                        "look at the check: the program is right");
+            }
+        }
+    }
+
+    void judgeTallies() {
+        const std::string mend = "look at the names above that are wrong or missing";
+        if (seconds_.shareRight() < kLeastNamed)
+            findings_.add(fmt::format("{:.1f} % of the mistakes are named rightly, wanted {:.0f} %",
+                                      100 * seconds_.shareRight(), 100 * kLeastNamed),
+                          mend);
+        if (pairs_.shareWrong() > kMostWrong)
+            findings_.add(fmt::format("{:.1f} % of what pairs lose is named wrongly, wanted at "
+                                      "most {:.0f} %",
+                                      100 * pairs_.shareWrong(), 100 * kMostWrong),
+                          mend);
+        if (variants_ > 0 && variants_ < kFewestVariants)
+            findings_.add(
+                fmt::format("{} right programs, expected at least {}", variants_, kFewestVariants),
+                "write another into solutions/" + manifest_.id + "/variants/");
+    }
+
+    void print() const {
+        for (const std::string& line : told_)
+            std::cout << "  " << line << "\n";
+        const auto row = [&](const char* what, const Tally& tally) {
+            std::cout << fmt::format("{:<14} {:<8} {:>4} {:>6} {:>9} {:>7} {:>6}\n", manifest_.id,
+                                     what, tally.all, tally.named, tally.together, tally.silent,
+                                     tally.wrong);
+        };
+        std::cout << fmt::format("{:<14} {:<8} {:>4} {:>6} {:>9} {:>7} {:>6}\n", "", "", "all",
+                                 "named", "together", "silent", "wrong");
+        row("mistakes", seconds_);
+        row("pairs", pairs_);
+        std::cout << fmt::format("{:<14} {} right programs, {} accused; {} findings\n",
+                                 manifest_.id, variants_, accused_, findings_.count());
+    }
+
+    /// Keeps what is not plainly right, to be looked at.
+    void tell(const std::string& what, const std::optional<Recognised>& said,
+              const std::set<std::string>& made) {
+        if (said && said->mistakes.size() == 1 && made.contains(said->mistakes.front()))
+            return;
+        told_.push_back(what + ": " +
+                        (said ? fmt::format("{} — {}", fmt::join(said->mistakes, ", "), said->says)
+                              : "nothing is said"));
+    }
+
+    const Grader& grader_;
+    const Manifest manifest_;
+    const Stage solution_;
+    std::vector<Mistake> mistakes_;
+    Findings findings_;
+    Tally seconds_, pairs_;
+    int variants_ = 0, accused_ = 0;
+    std::vector<std::string> told_;
+};
 
 }  // namespace
 
 void addCheckRecognitionCommand(CLI::App& app, int& exitCode) {
     static Options options;
     CLI::App* command = app.add_subcommand(
-        "check-recognition", "prove that mistakes are recognised when others make them");
+        "check-recognition", "measure how mistakes are recognised when others make them");
     command->add_option("assignments", options.assignments, "default all");
     command->add_option("--only", options.only, "only mistakes whose id holds this text");
     command->callback([&exitCode] {
@@ -69,7 +212,7 @@ void addCheckRecognitionCommand(CLI::App& app, int& exitCode) {
         int findings = 0;
         for (const std::string& id :
              options.assignments.empty() ? knownAssignments(tools.root) : options.assignments)
-            findings += checkAssignment(grader, id, options.only);
+            findings += RecognitionCheck(grader, id).run(options.only);
         exitCode = findings ? kSomethingLost : kFullMarks;
     });
 }

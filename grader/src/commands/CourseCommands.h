@@ -10,6 +10,9 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode);
 /// `grader check-course [ASSIGNMENT…]`: proves starters, solutions and mistakes consistent.
 void addCheckCourseCommand(CLI::App& app, int& exitCode);
 
+/// `grader sync-starters [ASSIGNMENT…]`: carries text outside the TODO regions to the starters.
+void addSyncStartersCommand(CLI::App& app, int& exitCode);
+
 /// `grader check-recognition [ASSIGNMENT…]`: second versions of all mistakes are recognised, right
 /// programs are not accused.
 void addCheckRecognitionCommand(CLI::App& app, int& exitCode);

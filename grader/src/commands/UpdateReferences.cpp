@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "Grade.h"
 #include "ImageModule.h"
+#include "References.h"
 #include "commands/CourseCommands.h"
 #include "commands/GradeCommand.h"
 
@@ -11,57 +12,82 @@ namespace grader {
 
 namespace {
 
-constexpr std::uint64_t kPublishedSeed = 1;
-
-/// Says "new", "changed" or nothing, and writes only what differs.
-bool update(const fs::path& file, const Picture& picture) {
-    const bool known = fs::exists(file);
-    if (known) {
-        const Picture old = readPicture(file);
-        bool same = old.sameSizeAs(picture);
-        for (std::size_t i = 0; same && i < old.rgba.size(); ++i)
-            same = i % 4 == 3 || old.rgba[i] == picture.rgba[i];
-        if (same)
-            return false;
-        const FrameScore score = scoreFrame(picture, old, {}, 0);
-        std::cout << fmt::format("changed  {}  {:.3f} % of the pixels\n", file.string(),
-                                 100 * score.outliers);
-    } else {
-        std::cout << "new      " << file.string() << "\n";
+/// Writes what belongs into reference_images/NN-name, says what changed, and names what is left.
+class ReferenceWriter {
+public:
+    ReferenceWriter(const Grader& grader, const std::string& id)
+        : grader_(grader),
+          manifest_(loadAssignment(grader.tools().root, id)),
+          folder_(referenceFolder(grader.tools(), id)) {
+        if (!fs::exists(grader.tools().root / "solutions" / id))
+            throw Error("references are drawn by the solution, and there is no solutions/{}", id);
     }
-    writePicture(file, picture);
-    return true;
-}
 
-void updateAssignment(const Grader& grader, const std::string& id) {
-    const fs::path& root = grader.tools().root;
-    const Manifest manifest = loadAssignment(root, id);
-    if (!fs::exists(root / "solutions" / id))
-        throw Error("references are drawn by the solution, and there is no solutions/{}", id);
-    const fs::path folder = root / "reference_images" / id;
-    std::vector<fs::path> written;
-    int changed = 0;
-    for (const auto& [tree, suffix] :
-         {std::pair{"solutions", ".png"}, std::pair{"assignments", ".starter.png"}})
-        for (const auto& [frame, picture] :
-             grader.draw(manifest, grader.stageOf(manifest, tree), kPublishedSeed)) {
-            written.push_back(folder / (frame + suffix));
-            changed += update(written.back(), picture);
+    void run() {
+        for (const auto& [name, picture] : drawReferences(grader_, manifest_, kPublishedSeed))
+            updatePicture(folder_ / name, picture);
+        updateSignatures();
+        nameOrphans();
+        std::cout << fmt::format("{}: {} references, {} written\n", manifest_.id, expected_.size(),
+                                 changed_);
+    }
+
+private:
+    /// Writes only what differs.
+    void updatePicture(const fs::path& file, const Picture& picture) {
+        expected_.push_back(file);
+        if (fs::exists(file)) {
+            const Picture old = readPicture(file);
+            bool same = old.sameSizeAs(picture);
+            for (std::size_t i = 0; same && i < old.rgba.size(); ++i)
+                same = i % 4 == 3 || old.rgba[i] == picture.rgba[i];
+            if (same)
+                return;
+            std::cout << fmt::format("changed  {}  {:.3f} % of the pixels\n", file.string(),
+                                     100 * outlierShare(picture, old));
+        } else {
+            std::cout << "new      " << file.string() << "\n";
         }
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::directory_iterator(folder))
-            if (std::find(written.begin(), written.end(), entry.path()) == written.end())
+        writePicture(file, picture);
+        ++changed_;
+    }
+
+    void updateSignatures() {
+        const fs::path file = signaturesFile(grader_.tools(), manifest_.id);
+        expected_.push_back(file);
+        const Signatures fresh = makeSignatures(grader_, manifest_);
+        if (fs::exists(file)) {
+            const auto changed = differing(Signatures::load(file), fresh);
+            if (changed.empty())
+                return;
+            std::cout << fmt::format("changed  {}  {}\n", file.string(), fmt::join(changed, ", "));
+        } else {
+            std::cout << "new      " << file.string() << "\n";
+        }
+        fresh.save(file);
+        ++changed_;
+    }
+
+    void nameOrphans() const {
+        for (const auto& entry : fs::directory_iterator(folder_))
+            if (std::find(expected_.begin(), expected_.end(), entry.path()) == expected_.end())
                 std::cout << "orphan   " << entry.path().string()
-                          << "  no frame has this name: delete it\n";
-    std::cout << fmt::format("{}: {} references, {} written\n", id, written.size(), changed);
-}
+                          << "  belongs to no frame: delete it\n";
+    }
+
+    const Grader& grader_;
+    const Manifest manifest_;
+    const fs::path folder_;
+    std::vector<fs::path> expected_;
+    int changed_ = 0;
+};
 
 }  // namespace
 
 void addUpdateReferencesCommand(CLI::App& app, int& exitCode) {
     static std::vector<std::string> assignments;
-    CLI::App* command = app.add_subcommand("update-references",
-                                           "draw reference_images/ from solutions and starters");
+    CLI::App* command = app.add_subcommand(
+        "update-references", "draw reference_images/ from solutions, mistakes and starters");
     command->add_option("assignments", assignments, "default all");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
@@ -69,7 +95,7 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode) {
         const Grader grader(tools, *sandbox);
         for (const std::string& id :
              assignments.empty() ? knownAssignments(tools.root) : assignments)
-            updateAssignment(grader, id);
+            ReferenceWriter(grader, id).run();
         exitCode = kFullMarks;
     });
 }

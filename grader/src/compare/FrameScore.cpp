@@ -1,167 +1,337 @@
 #include "compare/FrameScore.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <map>
+#include <mutex>
+
+#include "compare/Boundary.h"
+#include "compare/PixelError.h"
+#include "compare/Sentences.h"
 
 namespace grader {
 
 namespace {
 
-constexpr int kDeadZone = 4;    // of 255: what correct drivers differ by
-constexpr int kSaturated = 64;  // of 255: as wrong as can be
-constexpr double kMostWhenLost = 0.99;
+constexpr double kEnough = 0.99;           // counts as everything
+constexpr double kMostWhenLost = 0.99;     // what is not everything stays below it
+constexpr double kSharpEnough = 0.4;       // of the reference's sharpness
+constexpr double kMeasurable = 0.05;       // mean error of a feature's pixels without it
+constexpr double kMostlyBackground = 0.7;  // above, there is no object to be displaced
 
-int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
-    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+double clamped(double share) {
+    return std::clamp(share, 0.0, 1.0);
 }
 
-/// From `from` at (x, y) to the best match near (x, y) in `to`.
-int nearestDifference(const Picture& from, const Picture& to, int x, int y) {
-    const std::uint8_t* pixel = from.pixel(x, y);
-    int least = channelDifference(pixel, to.pixel(x, y));
-    for (int ny = std::max(0, y - 1); least > kDeadZone && ny <= std::min(to.height - 1, y + 1);
-         ++ny)
-        for (int nx = std::max(0, x - 1); nx <= std::min(to.width - 1, x + 1); ++nx)
-            least = std::min(least, channelDifference(pixel, to.pixel(nx, ny)));
-    return least;
+/// What is not everything must not read as everything, and the other way round.
+double settled(double score) {
+    return score >= kEnough ? 1.0 : std::min(clamped(score), kMostWhenLost);
 }
 
-double errorOf(const Picture& a, const Picture& b, int x, int y) {
-    const int difference = std::max(nearestDifference(a, b, x, y), nearestDifference(b, a, x, y));
-    return std::clamp(double(difference - kDeadZone) / (kSaturated - kDeadZone), 0.0, 1.0);
+void spoil(Map& difference, const Picture& picture) {
+    for (const std::size_t pixel : picture.broken)
+        if (pixel < difference.size())
+            difference[pixel] = 255;
 }
 
-struct ErrorSum {
-    double error = 0, outliers = 0, x = 0, y = 0;
+/// Whether a frame is a baseline but for rounding: undoing a "fault" of it would reward nothing.
+bool isBaseline(const Picture& frame, const FrameTruth& truth) {
+    return std::any_of(truth.baselines.begin(), truth.baselines.end(), [&](const Picture& each) {
+        return outlierShare(frame, each) <= kStrayPixels;
+    });
+}
+
+/// A picture with all that is computed from it alone.
+struct Looked {
+    explicit Looked(const Picture& picture)
+        : scales(scalesOf(planesOf(picture))), boundaries(boundariesOf(scales.planes[0])) {}
+    const Planes& planes() const { return scales.planes[0]; }
+    Scales scales;
+    Boundaries boundaries;
 };
 
-ErrorSum sumErrors(const Picture& frame, const Picture& reference) {
-    ErrorSum sum;
-    for (int y = 0; y < reference.height; ++y)
-        for (int x = 0; x < reference.width; ++x) {
-            const double error = errorOf(frame, reference, x, y);
-            if (error <= 0)
-                continue;
-            sum.error += error;
-            sum.outliers += 1;
-            sum.x += error * x;
-            sum.y += error * y;
-        }
-    return sum;
-}
-
-Picture flat(const Picture& like, const std::array<std::uint8_t, 3>& colour) {
-    Picture picture = like;
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-        std::copy(colour.begin(), colour.end(), picture.rgba.begin() + static_cast<long>(i));
-    return picture;
-}
-
-std::array<std::uint8_t, 3> meanColour(const Picture& picture) {
-    std::array<double, 3> sum{};
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-        for (std::size_t c = 0; c < 3; ++c)
-            sum[c] += picture.rgba[i + c];
-    const double pixels = double(picture.rgba.size()) / 4;
-    std::array<std::uint8_t, 3> mean{};
-    for (std::size_t c = 0; c < 3; ++c)
-        mean[c] = static_cast<std::uint8_t>(std::lround(sum[c] / pixels));
-    return mean;
-}
-
-/// In nearly every scene the clear colour.
-std::array<std::uint8_t, 3> mostFrequentColour(const Picture& picture) {
-    std::map<std::array<std::uint8_t, 3>, int> count;
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-        ++count[{picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]}];
-    return std::max_element(count.begin(), count.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->first;
-}
-
-/// Mean error of the best picture that takes no work.
-double baselineError(const Picture& reference, const Picture& starter) {
-    const double pixels = double(reference.width) * reference.height;
-    double least = pixels;
-    for (const auto& colour : {std::array<std::uint8_t, 3>{0, 0, 0}, meanColour(reference),
-                               mostFrequentColour(reference)})
-        least = std::min(least, sumErrors(flat(reference, colour), reference).error);
-    if (starter.sameSizeAs(reference))
-        least = std::min(least, sumErrors(starter, reference).error);
-    return least / pixels;
-}
-
-std::string placeName(const FrameScore& score, const Picture& picture) {
-    static const char* rows[] = {"top", "middle", "bottom"};
-    static const char* columns[] = {"left", "centre", "right"};
-    const int row = std::min(2, 3 * score.centreY / std::max(1, picture.height));
-    const int column = std::min(2, 3 * score.centreX / std::max(1, picture.width));
-    if (row == 1 && column == 1)
-        return "the middle";
-    return fmt::format("the {} {}", rows[row], columns[column]);
+/// Mean errors at each scale.
+std::array<double, 3> errorsAtScales(const Map& tolerant, const Looked& frame,
+                                     const Looked& reference) {
+    std::array<double, 3> errors{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Map difference =
+            k == 0 ? tolerant : plainDifference(frame.scales.planes[k], reference.scales.planes[k]);
+        errors[k] = sumErrors(difference, frame.scales.planes[k].width).error /
+                    static_cast<double>(difference.size());
+    }
+    return errors;
 }
 
 }  // namespace
 
-FrameScore scoreFrame(const Picture& frame, const Picture& reference, const Picture& starter,
-                      double tolerance) {
+/// A truth, and what is computed from it once.
+class FrameRule::Prepared {
+public:
+    explicit Prepared(FrameTruth given)
+        : truth(std::move(given)), planes(planesOf(truth.reference)) {}
+
+    FrameScore score(const Picture& frame);
+    Map maskOf(std::size_t feature);
+
+    const FrameTruth truth;
+    const Planes planes;
+
+private:
+    /// A feature's pixels, and what pictures that lack it make of them.
+    struct FeatureData {
+        Map mask, object;  ///< object: those of the mask that show no background
+        double pixels = 0;
+        double without = 0;  ///< error there of the best picture that lacks it
+        double nothing = 0;  ///< score of the best baseline
+    };
+    struct WholeScore {
+        double skill = 0, boundary = 0;
+        double score() const { return skill * (1 + boundary) / 2; }
+    };
+
+    void prepare();
+    Map objectMask(const Map* within) const;
+    WholeScore wholeOf(const Map& tolerant, const Looked& frame) const;
+    double rawFeature(const FeatureData& data, const Map& tolerant, const Looked& frame,
+                      std::optional<Displacement>* displacement) const;
+    void scoreWhole(FrameScore& result, const Map& tolerant, const Looked& frame) const;
+    void scoreFeatures(FrameScore& result, const Map& tolerant, const Looked& frame) const;
+    double sharpnessShare(const Looked& frame) const {
+        return clamped(frame.boundaries.sharpness /
+                       (kSharpEnough * reference_->boundaries.sharpness));
+    }
+
+    std::once_flag once_;
+    std::optional<Looked> reference_;
+    Rgb background_{};
+    Map foreground_;  ///< empty where nearly everything is foreground
+    std::array<double, 3> baselineErrors_{1, 1, 1};
+    double baselineBoundary_ = 0;
+    double baselineDisplaced_ = 0;
+    std::vector<FeatureData> features_;
+};
+
+Map FrameRule::Prepared::objectMask(const Map* within) const {
+    Map mask(planes.size());
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        int most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(planes.channel[c][i] - background_[c]));
+        mask[i] = most > kDeadZone && (!within || (*within)[i]) ? 1 : 0;
+    }
+    return mask;
+}
+
+Map FrameRule::Prepared::maskOf(std::size_t feature) {
+    Map mask = tolerantDifference(planesOf(truth.features.at(feature).ablated), planes);
+    for (std::uint8_t& each : mask)
+        each = each > kDeadZone ? 1 : 0;
+    return mask;
+}
+
+void FrameRule::Prepared::prepare() {
+    reference_.emplace(truth.reference);
+    background_ = mostFrequentColour(truth.reference);
+    foreground_ = objectMask(nullptr);
+    const auto shown = std::count(foreground_.begin(), foreground_.end(), 1);
+    if (static_cast<double>(shown) > kMostlyBackground * static_cast<double>(foreground_.size()))
+        foreground_.clear();
+    std::vector<Picture> nothings;
+    for (const Rgb& colour : {Rgb{0, 0, 0}, meanColour(truth.reference), background_})
+        nothings.push_back(flatPicture(truth.reference, colour));
+    for (const Picture& each : truth.baselines)
+        if (each.sameSizeAs(truth.reference))
+            nothings.push_back(each);
+    for (std::size_t k = 0; k < truth.features.size(); ++k) {
+        FeatureData data;
+        data.mask = maskOf(k);
+        data.object = objectMask(&data.mask);
+        data.pixels = static_cast<double>(std::count(data.mask.begin(), data.mask.end(), 1));
+        data.without =
+            sumErrors(tolerantDifference(planesOf(truth.features[k].ablated), planes), data.mask);
+        features_.push_back(std::move(data));
+    }
+    std::vector<std::pair<Map, Looked>> looked;
+    for (const Picture& each : nothings) {
+        Looked baseline(each);
+        Map tolerant = tolerantDifference(baseline.planes(), planes);
+        const auto errors = errorsAtScales(tolerant, baseline, *reference_);
+        for (std::size_t k = 0; k < 3; ++k)
+            baselineErrors_[k] = std::min(baselineErrors_[k], errors[k]);
+        baselineBoundary_ =
+            std::max(baselineBoundary_, boundaryMatch(baseline.boundaries, reference_->boundaries));
+        for (FeatureData& data : features_)
+            data.without = std::min(data.without, sumErrors(tolerant, data.mask));
+        looked.emplace_back(std::move(tolerant), std::move(baseline));
+    }
+    for (std::size_t k = 0; k < features_.size(); ++k) {
+        const Looked ablated(truth.features[k].ablated);
+        features_[k].nothing = rawFeature(
+            features_[k], tolerantDifference(ablated.planes(), planes), ablated, nullptr);
+    }
+    // With the least errors known: what a displaced baseline would be credited with.
+    for (const auto& [tolerant, baseline] : looked) {
+        for (FeatureData& data : features_)
+            data.nothing = std::max(data.nothing, rawFeature(data, tolerant, baseline, nullptr));
+        if (!foreground_.empty())
+            if (const auto moved =
+                    findDisplacement(baseline.scales, reference_->scales, foreground_))
+                baselineDisplaced_ =
+                    std::max(baselineDisplaced_, moved->credit(planes.width) * (1 - moved->error));
+    }
+}
+
+FrameRule::Prepared::WholeScore FrameRule::Prepared::wholeOf(const Map& tolerant,
+                                                             const Looked& frame) const {
+    WholeScore whole;
+    const auto errors = errorsAtScales(tolerant, frame, *reference_);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (baselineErrors_[k] > 0)
+            whole.skill += clamped(1 - errors[k] / baselineErrors_[k]) / 3;
+    if (baselineBoundary_ < 1)
+        whole.boundary =
+            clamped((boundaryMatch(frame.boundaries, reference_->boundaries) - baselineBoundary_) /
+                    (1 - baselineBoundary_));
+    return whole;
+}
+
+void FrameRule::Prepared::scoreWhole(FrameScore& result, const Map& tolerant,
+                                     const Looked& frame) const {
+    const WholeScore whole = wholeOf(tolerant, frame);
+    result.skill = whole.skill;
+    result.boundary = whole.boundary;
+    result.score = whole.score();
+    if (foreground_.empty() || baselineDisplaced_ >= 1)
+        return;
+    const auto moved = findDisplacement(frame.scales, reference_->scales, foreground_);
+    if (!moved)
+        return;
+    const double credit =
+        sharpnessShare(frame) *
+        clamped((moved->credit(planes.width) * (1 - moved->error) - baselineDisplaced_) /
+                (1 - baselineDisplaced_));
+    if (credit > result.score) {
+        result.score = credit;
+        result.displacement = moved;
+    }
+}
+
+double FrameRule::Prepared::rawFeature(const FeatureData& data, const Map& tolerant,
+                                       const Looked& frame,
+                                       std::optional<Displacement>* displacement) const {
+    if (data.without <= kMeasurable * data.pixels)
+        return 1;  // a picture without it has it: not measurable
+    const double here = clamped(1 - sumErrors(tolerant, data.mask) / data.without);
+    const auto moved = findDisplacement(frame.scales, reference_->scales, data.object);
+    const double there = moved ? moved->credit(planes.width) * (1 - moved->error) : 0;
+    if (displacement && there > here)
+        *displacement = moved;
+    return std::max(here, there);
+}
+
+void FrameRule::Prepared::scoreFeatures(FrameScore& result, const Map& tolerant,
+                                        const Looked& frame) const {
+    for (std::size_t k = 0; k < features_.size(); ++k) {
+        const FeatureData& data = features_[k];
+        FeatureScore& score = result.features[k];
+        score.pixels = data.pixels;
+        score.measurable = data.nothing < kEnough;
+        if (score.measurable)
+            score.score = settled(
+                sharpnessShare(frame) *
+                clamped((rawFeature(data, tolerant, frame, &score.displacement) - data.nothing) /
+                        (1 - data.nothing)));
+        score.sentence =
+            sentenceOn(score, truth.features[k].title, static_cast<double>(planes.size()));
+    }
+}
+
+FrameScore FrameRule::Prepared::score(const Picture& given) {
     FrameScore result;
-    result.sizeMatches = frame.sameSizeAs(reference);
-    if (!result.sizeMatches || reference.empty()) {
+    for (const FeatureTruth& feature : truth.features)
+        result.features.push_back({feature.id, 0, true, 0, {}, ""});
+    result.sizeMatches = given.sameSizeAs(truth.reference) && !given.empty();
+    if (!result.sizeMatches) {
         result.meanError = result.outliers = 1;
+        result.sentence = sentenceOn(result, given, truth.reference);
         return result;
     }
-    const double pixels = double(reference.width) * reference.height;
-    const ErrorSum sum = sumErrors(frame, reference);
-    result.meanError = sum.error / pixels;
+    Picture frame = given;
+    Planes framePlanes = planesOf(frame);
+    Map tolerant = tolerantDifference(framePlanes, planes);
+    spoil(tolerant, frame);
+    ErrorSum sum = sumErrors(tolerant, frame.width);
+    const auto pixels = static_cast<double>(planes.size());
+    const auto isRight = [&] { return sum.outliers / pixels <= truth.tolerance; };
+    if (!isRight()) {
+        result.fault = findWholeFrameFault(frame, truth.reference);
+        if (result.fault && isBaseline(frame, truth))
+            result.fault.reset();
+        if (result.fault) {
+            framePlanes = planesOf(result.fault->mended);
+            tolerant = tolerantDifference(framePlanes, planes);
+            sum = sumErrors(tolerant, frame.width);
+        }
+    }
     result.outliers = sum.outliers / pixels;
+    result.meanError = sum.error / pixels;
     if (sum.error > 0) {
         result.centreX = static_cast<int>(sum.x / sum.error);
         result.centreY = static_cast<int>(sum.y / sum.error);
     }
-    if (result.outliers <= tolerance) {
-        result.score = result.skill = 1;
-        return result;
+    if (isRight() || result.fault) {
+        result.score = result.skill = result.boundary = 1;
+        for (FeatureScore& feature : result.features)
+            feature.score = 1;
+    } else {
+        std::call_once(once_, [this] { prepare(); });
+        const Looked looked(frame);
+        scoreWhole(result, tolerant, looked);
+        result.score = settled(result.score);
+        scoreFeatures(result, tolerant, looked);
     }
-    result.baseline = baselineError(reference, starter);
-    if (result.baseline > 0)
-        result.skill = std::clamp(1 - result.meanError / result.baseline, 0.0, 1.0);
-    result.score = std::min(result.skill, kMostWhenLost);
+    result.sentence = sentenceOn(result, frame, truth.reference);
     return result;
 }
 
-std::string explainScore(const FrameScore& score, const Picture& frame, const Picture& reference) {
-    if (!score.sizeMatches)
-        return fmt::format("expected {} x {} pixels, got {} x {}", reference.width,
-                           reference.height, frame.width, frame.height);
-    if (score.score >= 1)
-        return fmt::format("{:.2f} % of the pixels differ", 100 * score.outliers);
-    const std::string differ = fmt::format("{:.1f} % of the pixels differ, mostly in {}",
-                                           100 * score.outliers, placeName(score, reference));
-    if (score.score <= 0)
-        return differ + "; the picture is no nearer to the reference than the starter's";
-    return fmt::format("{}; the picture is {:.0f} % of the way from the starter's to the reference",
-                       differ, 100 * score.score);
+FrameRule::FrameRule(FrameTruth truth) : prepared_(std::make_unique<Prepared>(std::move(truth))) {}
+FrameRule::~FrameRule() = default;
+FrameRule::FrameRule(FrameRule&&) noexcept = default;
+
+FrameScore FrameRule::score(const Picture& frame) const {
+    return prepared_->score(frame);
+}
+
+const FrameTruth& FrameRule::truth() const {
+    return prepared_->truth;
+}
+
+Picture FrameRule::maskOf(std::size_t feature) const {
+    const Map mask = prepared_->maskOf(feature);
+    Picture picture = flatPicture(truth().reference, {0, 0, 0});
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        if (mask[i])
+            std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, 255);
+    return picture;
+}
+
+double outlierShare(const Picture& a, const Picture& b) {
+    if (!a.sameSizeAs(b) || a.empty())
+        return 1;
+    const Map difference = tolerantDifference(planesOf(a), planesOf(b));
+    return sumErrors(difference, a.width).outliers / static_cast<double>(difference.size());
 }
 
 Picture differenceOf(const Picture& frame, const Picture& reference) {
-    Picture difference = reference;
     if (!frame.sameSizeAs(reference))
-        return flat(reference, {255, 255, 255});
-    for (int y = 0; y < reference.height; ++y)
-        for (int x = 0; x < reference.width; ++x) {
-            const auto value =
-                static_cast<std::uint8_t>(std::lround(255 * errorOf(frame, reference, x, y)));
-            auto* pixel = const_cast<std::uint8_t*>(difference.pixel(x, y));
-            pixel[0] = pixel[1] = pixel[2] = value;
-            pixel[3] = 255;
-        }
-    return difference;
+        return flatPicture(reference, {255, 255, 255});
+    Picture picture = flatPicture(reference, {0, 0, 0});
+    Map difference = tolerantDifference(planesOf(frame), planesOf(reference));
+    spoil(difference, frame);
+    for (std::size_t i = 0; i < difference.size(); ++i)
+        std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                    static_cast<std::uint8_t>(std::lround(255 * errorOf(difference[i]))));
+    return picture;
 }
 
 }  // namespace grader

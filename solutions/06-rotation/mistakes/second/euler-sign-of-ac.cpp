@@ -1,0 +1,18 @@
+    const float half = degrees * std::acos(-1.0f) / 360.0f;
+    const float a = std::cos(half);
+    float b = std::sin(half), c = b, d = b;
+    b *= axis.x / glm::length(axis);
+    c *= axis.y / glm::length(axis);
+    d *= axis.z / glm::length(axis);
+    const float ab = a * b, ac = a * c, ad = a * d, bc = b * c, bd = b * d, cd = c * d;
+    glm::mat3 R(a * a);
+    R[0][0] += b * b - c * c - d * d;
+    R[1][1] += c * c - b * b - d * d;
+    R[2][2] += d * d - b * b - c * c;
+    R[1][0] = 2 * bc - 2 * ad;
+    R[2][0] = 2 * bd + 2 * ac;
+    R[2][1] = 2 * cd - 2 * ab;
+    R[0][1] = 2 * bc + 2 * ad;
+    R[0][2] = 2 * bd + 2 * ac;
+    R[1][2] = 2 * cd + 2 * ab;
+    return R;

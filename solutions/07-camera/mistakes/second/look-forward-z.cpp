@@ -1,0 +1,2 @@
+    const glm::vec3 behind = eye + (eye - target);
+    view = glm::lookAt(eye, behind, up);

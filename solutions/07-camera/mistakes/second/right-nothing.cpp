@@ -1,0 +1,2 @@
+    glm::vec3 arm = eye - target;
+    arm = rotation(degrees, up) * arm;

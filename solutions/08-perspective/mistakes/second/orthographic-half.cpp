@@ -1,0 +1,2 @@
+    const float width = aspect * height;
+    return glm::ortho(-width, width, -height, height, n, f);

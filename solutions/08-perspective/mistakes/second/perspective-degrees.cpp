@@ -1,0 +1,1 @@
+    proj = glm::perspective(fovy, aspect, near, far);

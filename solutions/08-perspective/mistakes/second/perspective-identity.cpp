@@ -1,0 +1,3 @@
+    const float lens = glm::radians(fovy);
+    glm::mat4 P = glm::perspective(lens, aspect, near, far);
+    P = P * proj;

@@ -1,0 +1,15 @@
+    enum Colour { white, grey, black };
+    std::map<const Node*, Colour> colour;
+    std::function<bool(const Node*)> isTree = [&](const Node* n) {
+        colour[n] = grey;
+        for (const Node* below : n->childnodes) {
+            if (colour[below] == grey || (colour[below] == white && !isTree(below))) {
+                return false;
+            }
+        }
+        colour[n] = black;
+        return true;
+    };
+    if (!isTree(node["world"])) {
+        return;
+    }

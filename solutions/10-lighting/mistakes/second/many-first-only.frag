@@ -1,0 +1,7 @@
+// What the surface reflects of all lights, the sum of (10.20). Until then, of the first one.
+vec3 allReflected(vec4 p, vec3 n) {
+    vec3 total;
+    int k = 0;
+    total = reflected(k, p, n);
+    return total;
+}
