@@ -20,7 +20,7 @@ export const browser = await chromium.launch({
  * was complained about meanwhile. `options`: width, colorScheme.
  */
 export async function look(name, {width = 1200, colorScheme = 'light'}, looking) {
-  const page = await browser.newPage({viewport: {width, height: 900}, colorScheme});
+  const page = await browser.newPage({viewport: {width, height: 1400}, colorScheme});
   const left = [], complaints = [];
   page.on('request', request => /^(file|data|blob):/.test(request.url()) || left.push(request.url()));
   page.on('console', message => complaints.push(message.text()));

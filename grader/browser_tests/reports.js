@@ -75,9 +75,11 @@ const makers = {
                      make('06-rotation', ['rotation-clockwise', 'euler-sign-of-ab']), 1),
   lighting: () => graded('lighting', '10-lighting', make('10-lighting', ['specular-missing']), 1),
   lost: () => graded('lost', '10-lighting',
-                     make('10-lighting', ['ambient-without-light', 'emission-twice', 'tone-missing',
-                                          'diffuse-squared', 'specular-no-max',
-                                          'light-from-normal']), 1),
+                     make('10-lighting', ['ambient-without-light', 'diffuse-squared',
+                                          'specular-fixed-exponent', 'emission-twice',
+                                          'light-not-normalised', 'many-averaged',
+                                          'normals-untransformed', 'attenuation-missing',
+                                          'tone-inverse-gamma']), 1),
   broken: () => graded('broken', '06-rotation', folder => edit(join(folder, 'rotation.cpp'), text =>
     withRegion(text, 'rotation', '\tfloat angle = degres;\n    return glm::mat3(angle)')), 1),
   hostile: () => graded('hostile', '06-rotation', folder => {

@@ -3,16 +3,43 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {coloursOnScreen, look, worstOf} from './browser.js';
 
-/** A place that is wrong and that no label covers. */
+const channels = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
+const apart = (a, b) => Math.max(...channels(a).map((each, i) => Math.abs(each - channels(b)[i])));
+
+function near(actual, expected, why) {
+  assert.ok(apart(actual, expected) < 20, `${why ?? ''} expected about ${expected}, got ${actual}`);
+}
+
+/**
+ * A place where the pictures differ much, away from labels and edges: {x, y} as shares of the
+ * picture, and both colours as the pictures have them.
+ */
 async function clearPlace(viewer) {
-  const place = (await worstOf(viewer)).find(each =>
-    each.y < 0.85 && Math.abs(each.x - 0.5) > 0.08 && each.yours !== each.reference);
-  assert.ok(place, 'there is a wrong pixel away from the labels');
+  const place = await viewer.evaluate(root => {
+    const [yours, reference] = ['yours', 'reference'].map(name => {
+      const canvas = root.querySelector(`.stage canvas.${name}`);
+      return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    });
+    const {width, height} = reference;
+    const at = (pixels, x, y) => [...pixels.data.slice(4 * (y * width + x), 4 * (y * width + x) + 3)];
+    const far = (a, b) => Math.max(...a.map((each, i) => Math.abs(each - b[i])));
+    const even = (pixels, x, y) => [[-2, 0], [2, 0], [0, -2], [0, 2]].every(
+      ([dx, dy]) => far(at(pixels, x, y), at(pixels, x + dx, y + dy)) < 16);
+    const hex = colour => '#' + colour.map(each => each.toString(16).padStart(2, '0')).join('');
+    for (let y = 10; y < 0.85 * height; ++y)
+      for (let x = 10; x < width - 10; ++x)
+        if (Math.abs(x / width - 0.5) > 0.08 && even(yours, x, y) && even(reference, x, y) &&
+            far(at(yours, x, y), at(reference, x, y)) > 90)
+          return {x: (x + 0.5) / width, y: (y + 0.5) / height, yours: hex(at(yours, x, y)),
+                  reference: hex(at(reference, x, y))};
+    return null;
+  });
+  assert.ok(place, 'there is a wrong place away from labels and edges');
   return place;
 }
 
 async function shown(viewer, place) {
-  return (await coloursOnScreen(viewer.locator('.stage'), [[place.x, place.y]]))[0];
+  return (await coloursOnScreen(viewer.locator('.stage canvas.yours'), [[place.x, place.y]]))[0];
 }
 
 for (const name of ['half', 'lighting', 'sample'])
@@ -21,14 +48,14 @@ for (const name of ['half', 'lighting', 'sample'])
     const place = await clearPlace(viewer);
     const slider = viewer.locator('input.wipe');
     await slider.fill('100');
-    assert.equal(await shown(viewer, place), place.yours);
+    near(await shown(viewer, place), place.yours);
     await slider.fill('0');
-    assert.equal(await shown(viewer, place), place.reference);
+    near(await shown(viewer, place), place.reference);
     const before = Math.floor(100 * place.x) - 2;
     await slider.fill(String(before));
-    assert.equal(await shown(viewer, place), place.reference, 'right of the handle');
+    near(await shown(viewer, place), place.reference, 'right of the handle');
     await slider.fill(String(before + 5));
-    assert.equal(await shown(viewer, place), place.yours, 'left of the handle');
+    near(await shown(viewer, place), place.yours, 'left of the handle');
   }));
 
 test('the slider wipes by keyboard', () => look('half', {}, async page => {
@@ -36,9 +63,9 @@ test('the slider wipes by keyboard', () => look('half', {}, async page => {
   const place = await clearPlace(viewer);
   await viewer.locator('input.wipe').focus();
   await page.keyboard.press('End');
-  assert.equal(await shown(viewer, place), place.yours);
+  near(await shown(viewer, place), place.yours);
   await page.keyboard.press('Home');
-  assert.equal(await shown(viewer, place), place.reference);
+  near(await shown(viewer, place), place.reference);
   const pictures = [await viewer.locator('.stage').screenshot()];
   for (let i = 0; i < 40; ++i)
     await page.keyboard.press('ArrowRight');
@@ -54,7 +81,7 @@ test('dragging in the picture wipes', () => look('half', {}, async page => {
   await page.mouse.move(box.x + 2, box.y + 20);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width - 2, box.y + 20);
-  assert.equal(await shown(viewer, place), place.yours);
+  near(await shown(viewer, place), place.yours);
   await page.mouse.up();
 }));
 
@@ -64,7 +91,7 @@ test('the key b blinks the frame in view', () => look('half', {}, async page => 
   const place = await clearPlace(viewer);
   for (const expected of ['reference', 'yours', 'reference']) {
     await page.keyboard.press('b');
-    assert.equal(await shown(viewer, place), place[expected]);
+    near(await shown(viewer, place), place[expected]);
     assert.match(await viewer.locator('.status').textContent(), new RegExp(expected));
   }
   await page.keyboard.press('Escape');
@@ -86,17 +113,17 @@ test('pointing at the button blinks, holding it shows yours, the keyboard works 
     const place = await clearPlace(viewer);
     const button = viewer.locator('button.blink');
     await button.hover();
-    assert.equal(await shown(viewer, place), place.reference);
+    near(await shown(viewer, place), place.reference);
     await page.mouse.down();
-    assert.equal(await shown(viewer, place), place.yours);
+    near(await shown(viewer, place), place.yours);
     await page.mouse.up();
-    assert.equal(await shown(viewer, place), place.reference);
+    near(await shown(viewer, place), place.reference);
     await page.mouse.move(1, 1);
     await button.focus();
     await page.keyboard.press('Enter');
-    assert.equal(await shown(viewer, place), place.reference);
+    near(await shown(viewer, place), place.reference);
     await page.keyboard.press('Space');
-    assert.equal(await shown(viewer, place), place.yours);
+    near(await shown(viewer, place), place.yours);
   }));
 
 test('the difference is a heat map with a legend', () => look('half', {}, async page => {
@@ -106,7 +133,7 @@ test('the difference is a heat map with a legend', () => look('half', {}, async 
   await viewer.locator('button.difference').click();
   assert.ok(await viewer.locator('.legend').isVisible());
   assert.equal(await viewer.locator('button.difference').getAttribute('aria-pressed'), 'true');
-  const [wrong, agrees] = await coloursOnScreen(viewer.locator('.stage'),
+  const [wrong, agrees] = await coloursOnScreen(viewer.locator('.stage canvas.yours'),
                                                 [[place.x, place.y], [0.02, 0.02]]);
   assert.equal(wrong, '#fce83c', 'as wrong as can be is at the end of the scale');
   assert.match(agrees, /^#(..)\1\1$/, 'what agrees is grey');
@@ -155,7 +182,7 @@ test('a feature shows its mask when pointed at or focused', () => look('sample',
   const feature = page.locator('.feature[tabindex]').first();
   const lit = async () => {
     await page.waitForSelector('.stage.lit');
-    const [dark, glint] = await coloursOnScreen(stage, [[0.1, 0.1], [174 / 400, 124 / 300]]);
+    const [dark, glint] = await coloursOnScreen(stage.locator('canvas.yours'), [[0.1, 0.1], [174 / 400, 124 / 300]]);
     assert.ok(parseInt(dark.slice(1, 3), 16) < 20, `outside it is dark, got ${dark}`);
     assert.ok(parseInt(glint.slice(1, 3), 16) > 100, `inside it is as it was, got ${glint}`);
     assert.ok(!before.equals(await stage.screenshot()));
@@ -163,7 +190,8 @@ test('a feature shows its mask when pointed at or focused', () => look('sample',
   await feature.hover();
   await lit();
   await page.mouse.move(1, 1);
-  assert.ok(before.equals(await stage.screenshot()), 'and dark again');
+  await page.waitForSelector('.stage.lit', {state: 'detached'});
+  near((await coloursOnScreen(stage.locator('canvas.yours'), [[0.1, 0.1]]))[0], '#1a334d', 'as before');
   await viewer.locator('.worst button').last().focus();
   await page.keyboard.press('Tab');
   assert.ok(await feature.evaluate(each => each === document.activeElement));

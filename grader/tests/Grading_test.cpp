@@ -62,6 +62,20 @@ TEST(Grading, AFolderOfOneAssignmentNeedsItsName) {
     EXPECT_EQ(lab::runGrader({"06-rotation", "--submission", folder}).exitCode, 0);
 }
 
+TEST(Grading, PicturesInTheTerminalAreRefusedInOneLineWhereNobodySeesThem) {
+    const Graded graded = lab::runGrader({"06-rotation", "--images"});
+    EXPECT_TRUE(graded.text.starts_with("No pictures are shown, because")) << graded.text;
+    EXPECT_EQ(graded.text.find("▀"), std::string::npos);
+}
+
+TEST(Grading, ASourceLineOfAnErrorIsTheStudentsOwnAndNeverTheSolutions) {
+    Submission submission;
+    submission.write(kCamera, "#error mine\n" + submission.read(kCamera));
+    const Json own = submission.grade("07-camera").document.at("build").at("diagnostics").at(0);
+    EXPECT_EQ(own.at("source"), "#error mine");
+    EXPECT_EQ(own.at("column"), 2);
+}
+
 TEST(Grading, ACrashCostsOnlyTheChecksThatCallIt) {
     Submission submission;
     submission.solve(

@@ -95,7 +95,8 @@ bool wantsHint(const CheckResult& check) {
 std::string summaryOf(const CheckResult& check) {
     return fmt::format(
         "<summary>{}<span class=\"title\">{}</span><span class=\"points\">{}</span></summary>\n",
-        markOf(check.status), escaped(check.title), scoreText(check.points, check.maxPoints));
+        markOf(check.status), escaped(check.title),
+        check.maxPoints > 0 ? scoreText(check.points, check.maxPoints) : "");
 }
 
 }  // namespace

@@ -64,44 +64,56 @@ std::string recognisedOf(const TaskResult& task) {
     return html + "</aside>\n";
 }
 
+/// Tests of which there is nothing more to say than their titles, behind one line.
+std::string titlesOf(const std::vector<const CheckResult*>& tests, Status status,
+                     const std::string& what) {
+    if (tests.empty())
+        return "";
+    std::string html = fmt::format(
+        "<details class=\"titles\"><summary>{}<span class=\"title\">{} {} "
+        "{}</span></summary>\n<ul>",
+        markOf(status), tests.size(), tests.size() == 1 ? "check" : "checks", what);
+    for (const CheckResult* each : tests)
+        html += "<li>" + escaped(each->title) + "</li>\n";
+    return html + "</ul></details>\n";
+}
+
+std::vector<const CheckResult*> checksOf(const TaskResult& task, const std::string& kind,
+                                         bool full) {
+    std::vector<const CheckResult*> checks;
+    for (const CheckResult& each : task.checks)
+        if (each.kind == kind && each.full() == full)
+            checks.push_back(&each);
+    return checks;
+}
+
 /// Frames first: they are to be looked at. Of the tests the first lies open.
 std::string lostChecksOf(const TaskResult& task, const AssignmentResult& result,
                          const fs::path& folder) {
     std::string html, hint;
-    bool testLiesOpen = false;
-    for (const std::string kind : {"frame", "test"})
-        for (const CheckResult& check : task.checks) {
-            if (check.full() || check.kind != kind)
-                continue;
-            const bool open = check.status != Status::notImplemented && !testLiesOpen;
-            testLiesOpen = testLiesOpen || (open && kind == "test");
-            html += lostCheck(check, result.assignment, folder, open, !open || check.hint != hint);
-            if (open)
-                hint = check.hint;
-        }
+    const auto add = [&](const CheckResult& check, bool open) {
+        open = open && check.status != Status::notImplemented;
+        html += lostCheck(check, result.assignment, folder, open, !open || check.hint != hint);
+        if (open)
+            hint = check.hint;
+    };
+    for (const CheckResult* frame : checksOf(task, "frame", false))
+        add(*frame, true);
+    const auto tests = checksOf(task, "test", false);
+    if (task.status == Status::notImplemented)
+        return html + titlesOf(tests, task.status, "to come");
+    for (const CheckResult* test : tests)
+        add(*test, test == tests.front());
     return html;
 }
 
 std::string fullChecksOf(const TaskResult& task, const AssignmentResult& result,
                          const fs::path& folder) {
-    std::string frames, tests;
-    std::size_t count = 0;
-    for (const CheckResult& check : task.checks) {
-        if (!check.full())
-            continue;
-        if (check.kind == "frame") {
-            frames += fullFrame(check, result.assignment, folder);
-            continue;
-        }
-        ++count;
-        tests += fmt::format("<li>{}{}</li>\n", markOf(check.status), escaped(check.title));
-    }
-    if (!tests.empty())
-        tests = fmt::format(
-            "<details class=\"passed\"><summary>{}<span class=\"title\">{} {} passed</span>"
-            "</summary>\n<ul>{}</ul></details>\n",
-            markOf(Status::pass), count, count == 1 ? "check" : "checks", tests);
-    return tests + (frames.empty() ? "" : "<div class=\"full-frames\">" + frames + "</div>\n");
+    std::string frames;
+    for (const CheckResult* each : checksOf(task, "frame", true))
+        frames += fullFrame(*each, result.assignment, folder);
+    return titlesOf(checksOf(task, "test", true), Status::pass, "passed") +
+           (frames.empty() ? "" : "<div class=\"full-frames\">" + frames + "</div>\n");
 }
 
 std::string taskOf(const TaskResult& task, const AssignmentResult& result, const fs::path& folder) {
@@ -145,6 +157,16 @@ std::string headOf(const AssignmentResult& result) {
     return html + "</ul></header>\n";
 }
 
+/// What else decides a result. Where nothing was drawn, there is no renderer.
+std::string footOf(const AssignmentResult& result) {
+    const Environment& here = result.environment;
+    std::string all;
+    for (const std::string& each : {here.grader, here.compiler, here.glRenderer, here.cpu})
+        all += each.empty() ? "" : escaped(each) + "; ";
+    return fmt::format("<footer><p>Seed {}. {}sandbox: {}.</p></footer>\n", result.seed, all,
+                       escaped(here.sandbox));
+}
+
 std::string assignmentSection(const AssignmentResult& result, const fs::path& folder) {
     std::string html = fmt::format("<section class=\"assignment\" id=\"{}\">\n{}",
                                    escaped(result.assignment), headOf(result));
@@ -157,12 +179,7 @@ std::string assignmentSection(const AssignmentResult& result, const fs::path& fo
     if (result.status != "build_error")
         for (const TaskResult* task : byLoss(result))
             html += taskOf(*task, result, folder);
-    const Environment& here = result.environment;
-    return html + fmt::format(
-                      "<footer><p>Seed {}. {}; {}; {}; {}; sandbox: {}.</p></footer>"
-                      "</section>\n",
-                      result.seed, escaped(here.grader), escaped(here.compiler),
-                      escaped(here.glRenderer), escaped(here.cpu), escaped(here.sandbox));
+    return html + footOf(result) + "</section>\n";
 }
 
 /// Of several assignments, what each has earned.

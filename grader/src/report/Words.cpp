@@ -75,9 +75,12 @@ std::string whatNext(const AssignmentResult& result) {
     const auto done =
         std::count_if(result.tasks.begin(), result.tasks.end(),
                       [](const TaskResult& each) { return each.status == Status::pass; });
-    return fmt::format("{} of {} tasks {} done; go on with {}, which has {} of {} points.", done,
-                       result.tasks.size(), done == 1 ? "is" : "are", name, showPoints(next.points),
-                       showPoints(next.maxPoints));
+    const std::string state = done == 0
+                                  ? "No task is done yet"
+                                  : fmt::format("{} of {} tasks {} done", done, result.tasks.size(),
+                                                done == 1 ? "is" : "are");
+    return fmt::format("{}; go on with {}, which has {} of {} points.", state, name,
+                       showPoints(next.points), showPoints(next.maxPoints));
 }
 
 QuotedSource quoted(const Diagnostic& diagnostic, std::size_t width) {

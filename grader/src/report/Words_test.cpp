@@ -40,6 +40,9 @@ TEST(WhatNext, SaysWhatIsDoneAndWhatToDo) {
               "Everything is done: all 2 tasks have full marks.");
     EXPECT_EQ(whatNext(withStatuses({pass, fail, fail})),
               "1 of 3 tasks is done; go on with t1 (Task t1), which has 0 of 10 points.");
+    EXPECT_THAT(whatNext(withStatuses({pass, pass, fail})), HasSubstr("2 of 3 tasks are done;"));
+    EXPECT_THAT(whatNext(withStatuses({partial, fail})),
+                HasSubstr("No task is done yet; go on with t0"));
     EXPECT_EQ(whatNext(withStatuses({notImplemented, notImplemented})),
               "Nothing is done yet: begin with t0 (Task t0).");
 }
