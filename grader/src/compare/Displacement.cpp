@@ -12,7 +12,9 @@ namespace grader {
 
 namespace {
 
-constexpr double kMatches = 0.25;          // mean error of an object that is found again
+constexpr double kMatches = 0.35;  // mean error up to which an object counts as found again
+constexpr double kSurely = 0.2;    // and up to which it counts for all that it is
+constexpr double kShorter = 1e-3;  // error that a pixel of way is worth: of two matches the nearer
 constexpr double kFewestPixels = 40;       // of an object, at full size
 constexpr std::size_t kMostPixels = 6000;  // looked at for one shift
 constexpr std::size_t kCandidates = 4;     // kept from one scale to the next
@@ -64,8 +66,11 @@ double errorAt(const Planes& frame, const Planes& reference, const std::vector<P
 
 /// The best few, no two of them neighbours.
 std::vector<Shift> best(std::vector<Shift> shifts, std::size_t count) {
+    const auto cost = [](const Shift& each) {
+        return each.error + kShorter * std::hypot(each.x, each.y);
+    };
     std::sort(shifts.begin(), shifts.end(),
-              [](const Shift& a, const Shift& b) { return a.error < b.error; });
+              [&](const Shift& a, const Shift& b) { return cost(a) < cost(b); });
     std::vector<Shift> kept;
     for (const Shift& each : shifts) {
         const bool beside = std::any_of(kept.begin(), kept.end(), [&](const Shift& other) {
@@ -86,7 +91,8 @@ double Displacement::length() const {
 }
 
 double Displacement::credit(int pictureWidth) const {
-    return std::exp(-length() / (pictureWidth / 8.0));
+    const double found = std::clamp((kMatches - error) / (kMatches - kSurely), 0.0, 1.0);
+    return found * (1 - error) * std::exp(-length() / (pictureWidth / 8.0));
 }
 
 std::string Displacement::text() const {

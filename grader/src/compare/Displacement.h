@@ -13,7 +13,7 @@ struct Displacement {
     double error = 1;  ///< mean error of its pixels once it is moved back, 0 … 1
 
     double length() const;
-    /// Share of the credit that is left: exp(-length / (width / 8)).
+    /// Share of the credit that is left: exp(-length / (width / 8)), less where it matches badly.
     double credit(int pictureWidth) const;
     /// "56 px too far right and 4 px too low"
     std::string text() const;

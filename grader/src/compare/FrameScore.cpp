@@ -179,8 +179,7 @@ void FrameRule::Prepared::prepare() {
         if (!foreground_.empty())
             if (const auto moved =
                     findDisplacement(baseline.scales, reference_->scales, foreground_))
-                baselineDisplaced_ =
-                    std::max(baselineDisplaced_, moved->credit(planes.width) * (1 - moved->error));
+                baselineDisplaced_ = std::max(baselineDisplaced_, moved->credit(planes.width));
     }
 }
 
@@ -211,8 +210,7 @@ void FrameRule::Prepared::scoreWhole(FrameScore& result, const Map& tolerant,
         return;
     const double credit =
         sharpnessShare(frame) *
-        clamped((moved->credit(planes.width) * (1 - moved->error) - baselineDisplaced_) /
-                (1 - baselineDisplaced_));
+        clamped((moved->credit(planes.width) - baselineDisplaced_) / (1 - baselineDisplaced_));
     if (credit > result.score) {
         result.score = credit;
         result.displacement = moved;
@@ -226,7 +224,7 @@ double FrameRule::Prepared::rawFeature(const FeatureData& data, const Map& toler
         return 1;  // a picture without it has it: not measurable
     const double here = clamped(1 - sumErrors(tolerant, data.mask) / data.without);
     const auto moved = findDisplacement(frame.scales, reference_->scales, data.object);
-    const double there = moved ? moved->credit(planes.width) * (1 - moved->error) : 0;
+    const double there = moved ? moved->credit(planes.width) : 0;
     if (displacement && there > here)
         *displacement = moved;
     return std::max(here, there);
