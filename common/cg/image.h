@@ -26,8 +26,8 @@ void writeImage(const std::string& path, const Pixels& pixels);
 extern "C" {
 
 /// As cg::readImage: 0 and the picture in *rgba (4 * width * height bytes, to be given to free()),
-/// or 1 and a sentence in error[0 .. errorSize), with *rgba null. *broken is null, or width * height
-/// bytes (to be given to free()) that are 1 where the file holds no number.
+/// or 1 and a sentence in error[0 .. errorSize), with *rgba null. *broken is null, or width *
+/// height bytes (to be given to free()) that are 1 where the file holds no number.
 int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba,
                   unsigned char** broken, char* error, std::size_t errorSize);
 
