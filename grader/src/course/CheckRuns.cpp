@@ -107,11 +107,6 @@ void checkBlankRegions(const Grader& grader, const Manifest& manifest, Findings&
                 fmt::format("the solution with a blank {} loses in {}, expected in {} only",
                             task.id, fmt::join(lost, ", "), task.id),
                 "make the blank neutral, or name the dependency in \"needs\"");
-        for (const CheckResult& check : checks)
-            if (check.task == task.id && !check.full() && check.status != Status::notImplemented)
-                findings.add("the solution with a blank " + task.id +
-                                 ", expected not_implemented: " + statusOf(check),
-                             "call cg::todo (in GLSL: read cg_todo_…) on every path of the blank");
     }
 }
 
@@ -121,7 +116,7 @@ MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findi
     const std::string mend = "edit solutions/" + manifest.id + "/mistakes.json, or the check";
     signatures.right = answersOf(grader.gradeStage(manifest, solution, kPublishedSeed).checks);
     MistakeTable table;
-    std::map<std::string, int> perTask, blankPerTask;
+    std::map<std::string, int> perTask;
     for (const Mistake& mistake : readMistakes(grader.tools().root / "solutions" / manifest.id)) {
         Stage stage = stageWith(solution, mistake, mistake.body);
         Grader::StageResult result = grader.gradeStage(manifest, stage, kPublishedSeed);
@@ -140,7 +135,6 @@ MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findi
             findings.add(each, mend);
         if (!mistake.earnsNothing)
             continue;
-        ++blankPerTask[mistake.region];
         for (const CheckResult& check : result.checks)
             if (check.task == mistake.region && check.points > 0)
                 findings.add(
@@ -152,10 +146,6 @@ MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findi
             findings.add(fmt::format("task {} has {} mistakes, expected at least {}", task.id,
                                      perTask[task.id], kFewestMistakes),
                          mend);
-        if (blankPerTask[task.id] == 0)
-            findings.add(
-                "task " + task.id + " has no mistake that earns_nothing",
-                "add identity, zero or a constant to solutions/" + manifest.id + "/mistakes.json");
     }
     for (const std::string& id : table.neverFailed())
         findings.add("no mistake fails " + id + ": a check that nothing fails proves nothing",
