@@ -26,7 +26,7 @@ function withRegion(text, id, body) {
 /** A folder with the solution of one assignment, changed by `change(folder)`. */
 function submission(name, assignment, change) {
   const folder = join(work, name, 'submission', assignment);
-  const ours = ['mistakes', 'mistakes.json', 'hidden_tests', 'variants', 'partial'];
+  const ours = ['mistakes', 'mistakes.json', 'hidden_tests', 'variants'];
   mkdirSync(folder, {recursive: true});
   for (const each of readdirSync(join(root, 'solutions', assignment)))
     if (!ours.includes(each))

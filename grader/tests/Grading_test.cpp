@@ -68,7 +68,7 @@ TEST(Grading, PicturesInTheTerminalAreRefusedInOneLineWhereNobodySeesThem) {
     EXPECT_EQ(graded.text.find("▀"), std::string::npos);
 }
 
-TEST(Grading, ASourceLineOfAnErrorIsTheStudentsOwnAndNeverTheSolutions) {
+TEST(Grading, AnErrorHasItsSourceLine) {
     Submission submission;
     submission.write(kCamera, "#error mine\n" + submission.read(kCamera));
     const Json own = submission.grade("07-camera").document.at("build").at("diagnostics").at(0);
