@@ -57,15 +57,24 @@ private:
         expected_.push_back(file);
         const Signatures fresh = makeSignatures(grader_, manifest_);
         if (fs::exists(file)) {
-            const auto changed = differing(Signatures::load(file), fresh);
+            const std::string changed = changedSince(file, fresh);
             if (changed.empty())
                 return;
-            std::cout << fmt::format("changed  {}  {}\n", file.string(), fmt::join(changed, ", "));
+            std::cout << "changed  " << file.string() << "  " << changed << "\n";
         } else {
             std::cout << "new      " << file.string() << "\n";
         }
         fresh.save(file);
         ++changed_;
+    }
+
+    /// A file that cannot be read (another format, cut short) is one to be written anew.
+    static std::string changedSince(const fs::path& file, const Signatures& fresh) {
+        try {
+            return fmt::format("{}", fmt::join(differing(Signatures::load(file), fresh), ", "));
+        } catch (const Error& error) {
+            return error.what();
+        }
     }
 
     void nameOrphans() const {

@@ -11,7 +11,7 @@ namespace grader {
 
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr double kTolerance = 1e-3;
 constexpr double kShare = 0.01;
 constexpr double kSameThumbnail = 1.0;  // mean difference of a channel, of 255
@@ -22,14 +22,18 @@ bool isNear(double a, double b) {
     return std::abs(a - b) <= kTolerance * std::max(1.0, std::max(std::abs(a), std::abs(b)));
 }
 
-// ---- The file: numbers as 32-bit floats, shares as bytes
-// -------------------------------------------
+// ---- The file: numbers as 32-bit floats, shares as bits behind their count
+// -------------------------
 
 Json packed(const Evidence& evidence) {
+    Json json = Json::array({evidence.key, evidence.outcome, evidence.type});
     std::vector<std::uint8_t> bytes;
     if (evidence.type == "shares") {
-        for (const double each : evidence.numbers)
-            bytes.push_back(static_cast<std::uint8_t>(std::lround(each)));
+        bytes.resize((evidence.numbers.size() + 7) / 8);
+        for (std::size_t i = 0; i < evidence.numbers.size(); ++i)
+            if (evidence.numbers[i] != 0)
+                bytes[i / 8] |= static_cast<std::uint8_t>(1u << i % 8);
+        json.push_back(evidence.numbers.size());
     } else {
         for (const double each : evidence.numbers) {
             const auto number = static_cast<float>(each);
@@ -37,14 +41,19 @@ Json packed(const Evidence& evidence) {
             bytes.insert(bytes.end(), first, first + sizeof number);
         }
     }
-    return Json::array({evidence.key, evidence.outcome, evidence.type, Json::binary(bytes)});
+    json.push_back(Json::binary(bytes));
+    return json;
 }
 
 Evidence unpacked(const Json& json) {
     Evidence evidence{json.at(0), json.at(1), json.at(2), {}};
-    const std::vector<std::uint8_t>& bytes = json.at(3).get_binary();
+    const std::vector<std::uint8_t>& bytes = json.back().get_binary();
     if (evidence.type == "shares") {
-        evidence.numbers.assign(bytes.begin(), bytes.end());
+        const std::size_t count = json.at(3);
+        if (bytes.size() != (count + 7) / 8)
+            throw Error("{} shares in {} bytes", count, bytes.size());
+        for (std::size_t i = 0; i < count; ++i)
+            evidence.numbers.push_back(bytes[i / 8] >> i % 8 & 1);
         return evidence;
     }
     for (std::size_t i = 0; i + sizeof(float) <= bytes.size(); i += sizeof(float)) {
