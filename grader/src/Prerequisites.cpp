@@ -146,7 +146,7 @@ private:
                     continue;
                 // What a mistake is recognised by must not be blurred by one in what it needs.
                 check.evidence = other.evidence;
-                if (other.points > check.points) {
+                if (other.points > check.points || (other.full() && !check.full())) {
                     gained.insert(check.task);
                     check = std::move(other);
                 }
