@@ -31,10 +31,11 @@ grader_add_unit_tests(grader_unit_tests
         src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp
-        src/compare/FrameScore_test.cpp
+        src/compare/FrameScore_test.cpp src/course/Course_test.cpp
+        src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
-    LINK grader_core)
+    LINK grader_course)
 
 # The HTML report in a browser: reports by the grader itself, and one that has everything.
 add_executable(grader_sample_report testing/SampleReport.cpp)

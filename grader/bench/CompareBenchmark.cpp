@@ -60,8 +60,7 @@ int bench(int rounds) {
                                  0.0005});
     const trial::Scene crowded = withoutObjects();
     const Picture crowdedWrong = paintedSecond(crowded);
-    const FrameRule withoutSearch(
-        {trial::draw(crowded), {trial::starterOf(crowded)}, {}, 0.0005});
+    const FrameRule withoutSearch({trial::draw(crowded), {trial::starterOf(crowded)}, {}, 0.0005});
 
     const WorkFolder folder;
     const fs::path mine = folder.path() / "submission.png", right = folder.path() / "reference.png";
@@ -82,9 +81,11 @@ int bench(int rounds) {
     };
     for (const Row& row : rows)
         row.work();  // references prepared, libraries loaded
-    for (int round = 0; round < rounds; ++round)
+    for (int round = 0; round < rounds; ++round) {
+        rows[2].work();  // takes the copies of pages that forking for idiff left behind
         for (Row& row : rows)
             row.cpu.push_back(cpuOf(row.work));
+    }
 
     const Row& reading = rows[4];
     const Row& process = rows[5];

@@ -17,6 +17,7 @@ std::vector<Mistake> readMistakes(const fs::path& solution) {
         mistake.region = fields.get<std::string>("region");
         mistake.file = fields.get<std::string>("file");
         mistake.says = fields.get<std::string>("says");
+        mistake.common = fields.get<std::string>("common", "");
         mistake.section = fields.get<std::string>("section");
         mistake.loses = fields.get<std::set<std::string>>("loses");
         mistake.earnsNothing = fields.get<bool>("earns_nothing", false);

@@ -13,6 +13,7 @@ namespace grader {
 struct Mistake {
     std::string id, region, file;
     std::string says;     ///< to a student who made it, one sentence
+    std::string common;   ///< what it has in common with those that look the same; may be empty
     std::string section;  ///< of the notes, to read again
     std::string body;     ///< mistakes/ID.cpp, or .vert, .frag as `file` has it
     std::string second;   ///< the same mistake written by other means; empty where there is none

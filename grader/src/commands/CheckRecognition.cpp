@@ -1,6 +1,6 @@
 // How well mistakes are recognised, measured on what their signatures were not made from: a second,
-// independently written version of each, with another seed; pairs of them; right programs that are
-// written otherwise.
+// independently written version of each, with another seed; and pairs of them. That right programs
+// are not accused is part of check-course: they lose nothing.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,6 @@ constexpr std::uint64_t kOtherSeed = 2;
 constexpr double kLeastNamed = 0.95;
 constexpr double kMostWrong = 0.05;
 constexpr std::size_t kPairs = 12;
-constexpr int kFewestVariants = 5;
 
 struct Options {
     std::vector<std::string> assignments;
@@ -64,10 +63,8 @@ public:
             throw Error("no mistake of {} has \"{}\" in its id", manifest_.id, only);
         for (const Mistake& mistake : mistakes_)
             checkSecond(mistake);
-        if (only.empty()) {
+        if (only.empty())
             checkPairs();
-            checkVariants();
-        }
         judgeTallies();
         print();
         return findings_.count();
@@ -125,25 +122,6 @@ private:
         }
     }
 
-    void checkVariants() {
-        const fs::path folder = grader_.tools().root / "solutions" / manifest_.id / "variants";
-        for (const auto& variant : fs::directory_iterator(folder)) {
-            Stage stage = solution_;
-            if (fs::exists(variant.path() / "loses.json"))
-                continue;
-            layOver(stage, variant.path());
-            ++variants_;
-            for (const TaskResult& task : graded(stage, variant.path().string())) {
-                if (task.status != Status::pass || task.recognised)
-                    ++accused_;
-                if (task.status != Status::pass)
-                    findings_.add(
-                        "variant " + variant.path().filename().string() + " loses in " + task.id,
-                        "look at the check: the program is right");
-            }
-        }
-    }
-
     void judgeTallies() {
         const std::string mend = "look at the names above that are wrong or missing";
         if (seconds_.shareRight() < kLeastNamed)
@@ -155,10 +133,6 @@ private:
                                       "most {:.0f} %",
                                       100 * pairs_.shareWrong(), 100 * kMostWrong),
                           mend);
-        if (variants_ > 0 && variants_ < kFewestVariants)
-            findings_.add(
-                fmt::format("{} right programs, expected at least {}", variants_, kFewestVariants),
-                "write another into solutions/" + manifest_.id + "/variants/");
     }
 
     void print() const {
@@ -173,8 +147,7 @@ private:
                                  "named", "together", "silent", "wrong");
         row("mistakes", seconds_);
         row("pairs", pairs_);
-        std::cout << fmt::format("{:<14} {} right programs, {} accused; {} findings\n",
-                                 manifest_.id, variants_, accused_, findings_.count());
+        std::cout << fmt::format("{:<14} {} findings\n", manifest_.id, findings_.count());
     }
 
     /// Keeps what is not plainly right, to be looked at.
@@ -193,7 +166,6 @@ private:
     std::vector<Mistake> mistakes_;
     Findings findings_;
     Tally seconds_, pairs_;
-    int variants_ = 0, accused_ = 0;
     std::vector<std::string> told_;
 };
 

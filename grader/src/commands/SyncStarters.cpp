@@ -1,38 +1,16 @@
+#include <fmt/format.h>
+
 #include <iostream>
 
-#include "Error.h"
 #include "Manifest.h"
-#include "Regions.h"
 #include "Toolchain.h"
 #include "commands/CourseCommands.h"
 #include "commands/GradeCommand.h"
+#include "course/SyncedStarter.h"
 
 namespace grader {
 
 namespace {
-
-/// The solution's text with the starter's blanks in its regions. Throws Error when the two do not
-/// have the same regions: then nothing can be carried over without guessing.
-std::string synced(const std::string& name, const std::string& starter,
-                   const std::string& solution) {
-    const auto blanks = regionsOf(starter), solved = regionsOf(solution);
-    std::string text = solution;
-    for (const auto& [id, body] : solved) {
-        if (!blanks.contains(id))
-            throw Error(
-                "{}: the solution has a region TODO({}) and the starter has none: add it "
-                "there, with its blank inside",
-                name, id);
-        text = withRegion(text, id, blanks.at(id)).value();
-    }
-    for (const auto& [id, body] : blanks)
-        if (!solved.contains(id))
-            throw Error(
-                "{}: the starter has a region TODO({}) and the solution has none: nothing "
-                "was written",
-                name, id);
-    return text;
-}
 
 int syncAssignment(const Toolchain& tools, const std::string& id) {
     const Manifest manifest = loadAssignment(tools.root, id);
@@ -41,7 +19,7 @@ int syncAssignment(const Toolchain& tools, const std::string& id) {
         const fs::path file = manifest.folder / name;
         const std::string starter = readFile(file);
         const std::string text =
-            synced(file.string(), starter, readFile(tools.root / "solutions" / id / name));
+            syncedStarter(file.string(), starter, readFile(tools.root / "solutions" / id / name));
         if (text == starter)
             continue;
         writeFile(file, text);

@@ -263,7 +263,7 @@ FrameScore FrameRule::Prepared::score(const Picture& given) {
     const auto pixels = static_cast<double>(planes.size());
     const auto isRight = [&] { return sum.outliers / pixels <= truth.tolerance; };
     if (!isRight()) {
-        result.fault = findWholeFrameFault(frame, truth.reference);
+        result.fault = findWholeFrameFault(frame, truth.reference, sum.outliers / pixels);
         if (result.fault && isBaseline(frame, truth))
             result.fault.reset();
     }

@@ -20,7 +20,7 @@ const std::array<float, 256>& errors() {
 }
 
 std::uint8_t away(std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(a > b ? a - b : b - a);
+    return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b));
 }
 
 /// Lowers `least[i]` to the difference of a[i] and b[i + shift], and `back[i + shift]` likewise,
@@ -48,12 +48,13 @@ void lower(const Planes& a, const Planes& b, std::size_t first, std::ptrdiff_t s
 
 Map tolerantDifference(const Planes& a, const Planes& b) {
     Map least(a.size(), 255), back(a.size(), 255);
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            const int left = std::max(0, -dx), count = a.width - std::abs(dx);
-            for (int y = std::max(0, -dy); y < a.height - std::max(0, dy); ++y)
-                lower(a, b, static_cast<std::size_t>(y * a.width + left), dy * a.width + dx, count,
-                      least, back);
+    for (int y = 0; y < a.height; ++y)  // outermost: three rows stay in the cache
+        for (int dy = -1; dy <= 1; ++dy) {
+            if (y + dy < 0 || y + dy >= a.height)
+                continue;
+            for (int dx = -1; dx <= 1; ++dx)
+                lower(a, b, static_cast<std::size_t>(y * a.width + std::max(0, -dx)),
+                      dy * a.width + dx, a.width - std::abs(dx), least, back);
         }
     for (std::size_t i = 0; i < least.size(); ++i)
         least[i] = std::max(least[i], back[i]);

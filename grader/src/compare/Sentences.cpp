@@ -42,8 +42,11 @@ std::string sentenceOn(const FrameScore& score, const Picture& frame, const Pict
         return fmt::format("the picture is right but for one thing: {}", score.fault->says);
     if (score.score >= 1)
         return fmt::format("{:.2f} % of the pixels differ", 100 * score.outliers);
-    const std::string differ = fmt::format("{:.1f} % of the pixels differ, mostly in {}",
-                                           100 * score.outliers, placeName(score, reference));
+    std::string differ = fmt::format("{:.1f} % of the pixels differ, mostly in {}",
+                                     100 * score.outliers, placeName(score, reference));
+    if (!frame.broken.empty())
+        differ += fmt::format("; {} are no number (NaN or infinite)",
+                              grouped(static_cast<double>(frame.broken.size())));
     if (score.displacement)
         return fmt::format("{}; what is shown is {}", differ, score.displacement->text());
     if (score.score <= 0)

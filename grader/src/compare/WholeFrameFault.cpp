@@ -111,23 +111,22 @@ double shareAbove(const Map& differences, int most) {
 
 }  // namespace
 
-std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference) {
+std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference,
+                                                   double outliers) {
     constexpr double kRough = 0.1;  // the thinned picture is a pixel off where it is turned
     const Picture thinReference = thinned(reference);
     if (thinReference.empty())
         return std::nullopt;
     const Planes planes = planesOf(frame), thinPlanes = planesOf(thinned(frame));
-    const auto outliersOf = [&](const Picture& picture) {
-        return shareAbove(tolerantDifference(planes, planesOf(picture)), kDeadZone);
-    };
-    const bool isFlat = outliersOf(flatPicture(frame, mostFrequentColour(frame))) <= kStrayPixels;
-    if (isFlat)
+    const Planes flat = planesOf(flatPicture(frame, mostFrequentColour(frame)));
+    if (shareAbove(plainDifference(planes, flat), kDeadZone) <= kStrayPixels)
         return std::nullopt;  // shows nothing that could be wrong
-    const double allowed = std::min(kStrayPixels, 0.1 * outliersOf(reference));
+    const double allowed = std::min(kStrayPixels, 0.1 * outliers);
     for (const Candidate& candidate : candidates())
         if (shareAbove(plainDifference(planesOf(candidate.spoil(thinReference)), thinPlanes),
                        kDeadZone) <= kRough &&
-            outliersOf(candidate.spoil(reference)) <= allowed)
+            shareAbove(tolerantDifference(planes, planesOf(candidate.spoil(reference))),
+                       kDeadZone) <= allowed)
             return WholeFrameFault{candidate.id, candidate.says};
     return std::nullopt;
 }

@@ -19,8 +19,10 @@ inline constexpr double kFaultCharge = 0.5;
 
 /// The one fault by which the reference becomes the frame: at most `kStrayPixels` of the pixels
 /// differ then, and at most a tenth of those that do without it. Nothing when there is none, or
-/// more than one at a time, or when the frame is of one colour.
-std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference);
+/// more than one at a time, or when the frame is of one colour. `outliers`: the share of pixels
+/// that differ without it.
+std::optional<WholeFrameFault> findWholeFrameFault(const Picture& frame, const Picture& reference,
+                                                   double outliers);
 
 inline constexpr double kStrayPixels = 0.01;
 

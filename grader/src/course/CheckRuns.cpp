@@ -13,7 +13,8 @@ namespace grader {
 
 namespace {
 
-constexpr int kFewestMistakes = 4;
+constexpr int kFewestMistakes = 4;  // of a task
+constexpr int kFewestVariants = 5;  // of an assignment
 
 std::string statusOf(const CheckResult& check) {
     return fmt::format("{} is {} with {:g} of {:g} points: {}", check.id,
@@ -85,9 +86,17 @@ void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& fin
     checkStarter(grader, manifest, findings);
     checkSolution(grader, manifest, findings);
     const fs::path folder = grader.tools().root / "solutions" / manifest.id / "variants";
+    int right = 0;
     if (fs::is_directory(folder))
-        for (const auto& variant : fs::directory_iterator(folder))
+        for (const auto& variant : fs::directory_iterator(folder)) {
             checkVariant(grader, manifest, variant.path(), findings);
+            right += fs::exists(variant.path() / "loses.json") ? 0 : 1;
+        }
+    if (right < kFewestVariants)
+        findings.add(fmt::format("{} has {} right programs that are written otherwise, expected at "
+                                 "least {}",
+                                 folder.string(), right, kFewestVariants),
+                     "write another");
 }
 
 void checkBlankRegions(const Grader& grader, const Manifest& manifest, Findings& findings) {

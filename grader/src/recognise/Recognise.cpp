@@ -69,6 +69,13 @@ Fit fitOfFrames(const Signature& mistake, const std::vector<CheckResult>& checks
     return fit;
 }
 
+/// Whether their entries say one and the same thing that they have in common.
+bool shareTheirCommon(const std::vector<const Signature*>& mistakes) {
+    const std::string& common = mistakes.front()->common;
+    return !common.empty() && std::all_of(mistakes.begin(), mistakes.end(),
+                                          [&](const auto* each) { return each->common == common; });
+}
+
 Recognised together(const std::vector<const Signature*>& mistakes) {
     Recognised recognised;
     std::vector<std::string> said;
@@ -83,6 +90,8 @@ Recognised together(const std::vector<const Signature*>& mistakes) {
     }
     if (said.size() == 1)
         recognised.says = said.front();
+    else if (shareTheirCommon(mistakes))
+        recognised.says = mistakes.front()->common;
     else
         recognised.says =
             fmt::format("What came out fits more than one slip. {}", fmt::join(said, " Or: "));
@@ -131,7 +140,9 @@ std::optional<Recognised> recognise(const Signatures& known, const std::string& 
     }
     const auto& candidates = byAnswers.empty() ? byFrames : byAnswers;
     if (!candidates.empty())
-        return candidates.size() <= kMostTold ? std::optional(together(candidates)) : std::nullopt;
+        return candidates.size() <= kMostTold || shareTheirCommon(candidates)
+                   ? std::optional(together(candidates))
+                   : std::nullopt;
     return recogniseSlip(known, task, got);
 }
 

@@ -11,7 +11,7 @@ namespace grader {
 
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr double kTolerance = 1e-3;
 constexpr double kShare = 0.01;
 constexpr double kSameThumbnail = 1.0;  // mean difference of a channel, of 255
@@ -87,6 +87,7 @@ Json packed(const Signature& signature) {
     return {{"mistake", signature.mistake},
             {"region", signature.region},
             {"says", signature.says},
+            {"common", signature.common},
             {"section", signature.section},
             {"loses", signature.loses},
             {"answers", packed(signature.answers)},
@@ -97,6 +98,7 @@ Signature unpackedSignature(const Json& json) {
     Signature signature{json.at("mistake"),
                         json.at("region"),
                         json.at("says"),
+                        json.at("common"),
                         json.at("section"),
                         json.at("loses"),
                         unpackedAnswers(json.at("answers")),
@@ -114,7 +116,8 @@ bool sameAnswers(const Answers& a, const Answers& b) {
 
 bool sameSignature(const Signature& a, const Signature& b) {
     return a.mistake == b.mistake && a.region == b.region && a.says == b.says &&
-           a.section == b.section && a.loses == b.loses && sameAnswers(a.answers, b.answers) &&
+           a.common == b.common && a.section == b.section && a.loses == b.loses &&
+           sameAnswers(a.answers, b.answers) &&
            std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), b.frames.end(),
                       [](const auto& x, const auto& y) {
                           return x.first == y.first &&
@@ -147,8 +150,8 @@ Answers answersOf(const std::vector<CheckResult>& checks) {
 
 Signature signatureOf(const Mistake& mistake, const Answers& right,
                       const std::vector<CheckResult>& checks) {
-    Signature signature{
-        mistake.id, mistake.region, mistake.says, mistake.section, mistake.loses, {}, {}};
+    Signature signature{mistake.id,      mistake.region, mistake.says, mistake.common,
+                        mistake.section, mistake.loses,  {},           {}};
     for (auto& [key, evidence] : answersOf(checks)) {
         const auto known = right.find(key);
         if (known == right.end() || !agree(evidence, known->second))

@@ -23,9 +23,9 @@ using Answers = std::map<std::string, Evidence>;
 
 /// How a known mistake shows itself: what is otherwise than with a right program.
 struct Signature {
-    std::string mistake, region, says, section;
-    std::set<std::string> loses;              ///< ids of the tasks that lose points
-    Answers answers;                          ///< where they differ from the right ones
+    std::string mistake, region, says, common, section;  ///< as in mistakes.json
+    std::set<std::string> loses;                         ///< ids of the tasks that lose points
+    Answers answers;                                     ///< where they differ from the right ones
     std::map<std::string, Thumbnail> frames;  ///< by frame, where they differ from the reference
 };
 

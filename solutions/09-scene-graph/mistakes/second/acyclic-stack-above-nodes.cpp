@@ -1,10 +1,10 @@
     const std::size_t most = node.size();
-    std::vector<Node*> todo(1, node["world"]);
+    std::vector<Node*> waiting(1, node["world"]);
     do {
-        const std::vector<Node*>& next = todo.back()->childnodes;
-        todo.pop_back();
-        todo.insert(todo.end(), next.begin(), next.end());
-        if (todo.size() > most) {
+        const std::vector<Node*>& next = waiting.back()->childnodes;
+        waiting.pop_back();
+        waiting.insert(waiting.end(), next.begin(), next.end());
+        if (waiting.size() > most) {
             throw std::overflow_error("endless loop in the scene");
         }
-    } while (!todo.empty());
+    } while (!waiting.empty());
