@@ -22,8 +22,7 @@ bool isNear(double a, double b) {
     return std::abs(a - b) <= kTolerance * std::max(1.0, std::max(std::abs(a), std::abs(b)));
 }
 
-// ---- The file: numbers as 32-bit floats, shares as bits behind their count
-// -------------------------
+// The file: numbers as 32-bit floats, shares as bits behind their count.
 
 Json packed(const Evidence& evidence) {
     Json json = Json::array({evidence.key, evidence.outcome, evidence.type});
