@@ -1,11 +1,11 @@
 #include <cg/EglContext.h>
 #include <cg/Error.h>
 #include <cg/FramebufferObject.h>
+#include <cg/SoftwareDriver.h>
 
 #include <dlfcn.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 namespace cg {
@@ -47,9 +47,7 @@ void load(void* address, const char* name, Function& function) {
 }
 
 Library loadLibrary() {
-    // Pictures must not depend on a graphics card, or on what the environment happens to name.
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    chooseSoftwareDriver();
     Library library{};
     library.openGl = openLibrary("libOpenGL.so.0");
     void* egl = openLibrary("libEGL.so.1");

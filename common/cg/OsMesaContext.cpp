@@ -1,11 +1,11 @@
 #include <cg/Error.h>
 #include <cg/FramebufferObject.h>
 #include <cg/OsMesaContext.h>
+#include <cg/SoftwareDriver.h>
 
 #include <dlfcn.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 namespace cg {
@@ -47,8 +47,7 @@ void load(void* handle, const char* name, Function& function) {
 }
 
 Library loadLibrary() {
-    // Pictures must not depend on which rasteriser the caller's environment happens to name.
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    chooseSoftwareDriver();
     void* handle = openLibrary();
     Library library{};
     load(handle, "OSMesaCreateContextAttribs", library.create);

@@ -54,7 +54,7 @@ constexpr Expected kTable[] = {
 };
 
 /// What noise of 3/255 may move a score that is not full by.
-constexpr double kMostMoved = 0.03;
+constexpr double kMostMoved = 0.005;
 
 Picture broken(Picture picture) {
     for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i)

@@ -136,6 +136,19 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
     return result;
 }
 
+Grader::StageResult Grader::gradeFrames(const Manifest& manifest, const Stage& stage,
+                                        std::uint64_t seed) const {
+    const WorkFolder work;
+    StageResult result;
+    result.build = builder_.build(stage, manifest.limits, work.path());
+    if (!result.build.ok)
+        return result;
+    Frames frames = observer_.drawFrames(manifest, result.build, seed);
+    result.graphics = frames.graphics;
+    result.checks = judgeFrames(manifest, std::move(frames), rules(manifest, seed));
+    return result;
+}
+
 const FrameRules& Grader::rules(const Manifest& manifest, std::uint64_t seed) const {
     const std::scoped_lock lock(truthMutex_);
     auto known = rules_.find({manifest.id, seed});

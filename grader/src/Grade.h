@@ -11,12 +11,11 @@ namespace grader {
 /// Grades: collect → stage → build → observe → judge. Reports are made elsewhere.
 class Grader {
 public:
-    /// `provider` of OpenGL contexts: "osmesa", "egl", or "auto" for what the machine has.
-    Grader(const Toolchain& tools, const Sandbox& sandbox, const std::string& provider = "auto")
+    Grader(const Toolchain& tools, const Sandbox& sandbox, const Renderer& renderer = {})
         : tools_(tools),
           sandbox_(sandbox),
           builder_(tools, sandbox),
-          observer_(tools, sandbox, provider) {}
+          observer_(tools, sandbox, renderer) {}
 
     /// One assignment of a submission. Throws Error for the grader's own faults only.
     AssignmentResult grade(const Manifest& manifest, const Submission& submission,
@@ -35,6 +34,9 @@ public:
         double buildSeconds = 0, observeSeconds = 0;
     };
     StageResult gradeStage(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
+
+    /// The frames alone; no checks when it does not build.
+    StageResult gradeFrames(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
 
     /// The frames that a stage draws; throws Error when it does not build or a frame fails.
     std::map<std::string, Picture> draw(const Manifest& manifest, const Stage& stage,

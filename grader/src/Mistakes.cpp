@@ -1,5 +1,7 @@
 #include "Mistakes.h"
 
+#include <algorithm>
+
 #include "Error.h"
 #include "Fields.h"
 #include "Regions.h"
@@ -33,6 +35,15 @@ std::vector<Mistake> readMistakes(const fs::path& solution) {
 
 std::string Mistake::fileName() const {
     return id + fs::path(file).extension().string();
+}
+
+std::vector<fs::path> variantsOf(const fs::path& solution) {
+    std::vector<fs::path> folders;
+    if (fs::is_directory(solution / "variants"))
+        for (const auto& entry : fs::directory_iterator(solution / "variants"))
+            folders.push_back(entry.path());
+    std::sort(folders.begin(), folders.end());
+    return folders;
 }
 
 void layOver(Stage& stage, const fs::path& folder) {

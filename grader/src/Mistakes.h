@@ -30,6 +30,10 @@ std::vector<Mistake> readMistakes(const fs::path& solution);
 /// when the file has no such region.
 Stage stageWith(Stage solution, const Mistake& mistake, const std::string& body);
 
+/// Right programs that are written otherwise (and some that lose in the tasks of their loses.json):
+/// the folders in variants/ of a solution's folder, by name.
+std::vector<fs::path> variantsOf(const fs::path& solution);
+
 /// Lays the files of a folder over a stage: other versions of what a student hands in. Throws Error
 /// for one that no student hands in; loses.json is left out.
 void layOver(Stage& stage, const fs::path& folder);

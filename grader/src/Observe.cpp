@@ -92,10 +92,13 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
     Confinement confinement;
     confinement.readable = {tools_.kit, build.stage, build.object.parent_path()};
     confinement.workingFolder = build.stage;
+    // One thread, and no cache that another program could have filled.
+    confinement.environment = {"GALLIUM_DRIVER=" + renderer_.driver, "LIBGL_ALWAYS_SOFTWARE=1",
+                               "LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true"};
     confinement.limits.memoryMib = manifest.limits.memoryMib;
     confinement.limits.cpuSeconds = static_cast<int>(kJudgeSeconds);
     return sandbox_.confine(confinement, {tools_.runner().string(), build.object.string(),
-                                          tools_.kit.string(), provider_});
+                                          tools_.kit.string(), renderer_.context});
 }
 
 std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const BuildResult& build,

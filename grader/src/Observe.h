@@ -38,12 +38,17 @@ struct Frames {
     std::map<std::string, FrameOutcome> byId;
 };
 
+/// What draws the frames.
+struct Renderer {
+    std::string context = "auto";     ///< "osmesa", "egl", or "auto" for what the machine has
+    std::string driver = "llvmpipe";  ///< "llvmpipe" or "softpipe", the two that Mesa has for CPUs
+};
+
 /// Asks a built subject, which runs in the sandbox, what it does.
 class Observer {
 public:
-    /// `provider` of OpenGL contexts: "osmesa", "egl", or "auto" for what the machine has.
-    Observer(const Toolchain& tools, const Sandbox& sandbox, std::string provider)
-        : tools_(tools), sandbox_(sandbox), provider_(std::move(provider)) {}
+    Observer(const Toolchain& tools, const Sandbox& sandbox, Renderer renderer)
+        : tools_(tools), sandbox_(sandbox), renderer_(std::move(renderer)) {}
 
     /// Runs the assignment's test program, in this trusted process's name. A fault of the grader
     /// is tried once more.
@@ -64,7 +69,7 @@ private:
 
     const Toolchain& tools_;
     const Sandbox& sandbox_;
-    std::string provider_;
+    Renderer renderer_;
 };
 
 }  // namespace grader

@@ -19,15 +19,10 @@ void append(Command& command, const Command& more) {
     command.insert(command.end(), more.begin(), more.end());
 }
 
-/// The only variables that a confined program sees. The driver must draw on the CPU, in one
-/// thread, and leave no cache.
-const Command& environment() {
-    static const Command variables = {
-        "PATH=/usr/bin:/bin",      "LANG=C.UTF-8",
-        "HOME=/nonexistent",       "TMPDIR=/tmp",
-        "LIBGL_ALWAYS_SOFTWARE=1", "GALLIUM_DRIVER=llvmpipe",
-        "LP_NUM_THREADS=0",        "MESA_SHADER_CACHE_DISABLE=true",
-    };
+/// The only variables that a confined program sees.
+Command environment(const Confinement& confinement) {
+    Command variables = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "HOME=/nonexistent", "TMPDIR=/tmp"};
+    append(variables, confinement.environment);
     return variables;
 }
 
@@ -73,7 +68,7 @@ public:
     Command confine(const Confinement& confinement, const Command& command) const override {
         const std::string id = std::to_string(kSandboxUser);
         Command all = {"env", "-i"};
-        append(all, environment());
+        append(all, environment(confinement));
         append(all, becomeUnprivileged());
         append(all, {"bwrap",
                      "--unshare-all",
@@ -128,7 +123,7 @@ public:
 
     Command confine(const Confinement& confinement, const Command& command) const override {
         Command all = {"env", "-i", "-C", confinement.workingFolder.string()};
-        append(all, environment());
+        append(all, environment(confinement));
         append(all, becomeUnprivileged());
         append(all, {"setpriv", "--no-new-privs", "--pdeathsig", "KILL"});
         static const int others = geteuid() == 0 ? 0 : threadsOfThisUser();

@@ -21,6 +21,7 @@ struct Confinement {
     std::vector<fs::path> readable;
     std::vector<fs::path> writable;
     fs::path workingFolder;
+    std::vector<std::string> environment;  ///< "NAME=VALUE", beside the few that all programs see
     Limits limits;
 };
 

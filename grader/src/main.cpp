@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
+    grader::addCheckDriversCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));

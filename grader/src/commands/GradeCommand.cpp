@@ -102,7 +102,7 @@ int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Selection selection = select(tools, options);
     const auto sandbox = options.noSandbox ? makePlainProcess() : chooseSandbox();
-    const Grader grader(tools, *sandbox, options.context);
+    const Grader grader(tools, *sandbox, {.context = options.context});
 
     const bool quiet = options.json == "-";
     const TerminalStyle style = styleFor(options, quiet);

@@ -1,6 +1,7 @@
 #include "compare/Boundary.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace grader {
 
@@ -10,9 +11,10 @@ namespace {
 constexpr int kFaint = 12;     // of 255: a step up to this is no boundary
 constexpr int kClear = 48;     // of 255: a step from this on is one
 constexpr int kReach = 1;      // pixels of half size, two of the picture
-constexpr int kNoise = 6;      // of 255: steps that say nothing about sharpness
-constexpr int kContrast = 64;  // of 255: within a block, something to be sharp about
-constexpr int kBlock = 16;     // pixels of half size: as far as a blur may reach
+// Of 441, the way from black to white:
+constexpr float kNoise = 9;  // gradients up to it say nothing about sharpness
+constexpr float kSomeContrast = 56, kMuchContrast = 80;  // something to be sharp about
+constexpr int kBlock = 8;  // pixels of quarter size: as far as a blur may reach
 
 std::uint8_t away(std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>(a > b ? a - b : b - a);
@@ -63,9 +65,20 @@ Map dilated(const Map& map, int width, int height) {
     return both;
 }
 
-/// Largest difference of one channel within a block.
-int contrastOf(const Planes& planes, int bx, int by) {
-    int contrast = 0;
+/// Length of the colour's gradient; noise hardly lengthens a long one.
+float gradientAt(const Planes& planes, std::size_t i) {
+    int squares = 0;
+    for (const Map& channel : planes.channel) {
+        const int along = channel[i + 1] - channel[i];
+        const int down = channel[i + static_cast<std::size_t>(planes.width)] - channel[i];
+        squares += along * along + down * down;
+    }
+    return std::sqrt(static_cast<float>(squares));
+}
+
+/// How far apart the colours of a block are.
+float contrastOf(const Planes& planes, int bx, int by) {
+    int squares = 0;
     for (const Map& channel : planes.channel) {
         int least = 255, most = 0;
         for (int y = by; y < by + kBlock; ++y)
@@ -74,28 +87,33 @@ int contrastOf(const Planes& planes, int bx, int by) {
                 least = std::min(least, value);
                 most = std::max(most, value);
             }
-        contrast = std::max(contrast, most - least);
+        squares += (most - least) * (most - least);
     }
-    return contrast;
+    return std::sqrt(static_cast<float>(squares));
 }
 
-/// Over blocks with much contrast: the mean step, weighted by steps, as a share of the contrast. A
-/// boundary spread over w pixels gives 1 / w, however long it is.
-double sharpnessOf(const Planes& planes, const Map& steps) {
+/// Over blocks with contrast: the mean gradient, weighted by gradients, as a share of the contrast.
+/// A boundary spread over w pixels gives 1 / w, however long it is. The contrast is taken at
+/// quarter size, where no noise is left that would widen it.
+double sharpnessOf(const Planes& half) {
+    const Planes quarter = softened(halved(half));
     double squares = 0, products = 0;
     bool any = false;
-    for (int by = 0; by + kBlock <= planes.height; by += kBlock)
-        for (int bx = 0; bx + kBlock <= planes.width; bx += kBlock) {
-            const int contrast = contrastOf(planes, bx, by);
-            if (contrast < kContrast)
+    for (int by = 0; 2 * (by + kBlock) < half.height; by += kBlock)
+        for (int bx = 0; 2 * (bx + kBlock) < half.width; bx += kBlock) {
+            const float contrast = contrastOf(quarter, bx, by);
+            const float weight = std::clamp(
+                (contrast - kSomeContrast) / (kMuchContrast - kSomeContrast), 0.0f, 1.0f);
+            if (weight == 0)
                 continue;
             any = true;
-            for (int y = by; y < by + kBlock; ++y)
-                for (int x = bx; x < bx + kBlock; ++x) {
-                    const double step =
-                        std::max(0, steps[static_cast<std::size_t>(y * planes.width + x)] - kNoise);
-                    squares += step * step;
-                    products += step * contrast;
+            for (int y = 2 * by; y < 2 * (by + kBlock); ++y)
+                for (int x = 2 * bx; x < 2 * (bx + kBlock); ++x) {
+                    const float gradient =
+                        gradientAt(half, static_cast<std::size_t>(y * half.width + x));
+                    const float step = std::max(0.0f, gradient - kNoise);
+                    squares += weight * step * step;
+                    products += weight * step * contrast;
                 }
         }
     return products > 0 ? squares / products : any ? 0.0 : 1.0;
@@ -124,7 +142,7 @@ Boundaries boundariesOf(const Planes& planes) {
         boundaries.count += boundaries.edges[i];
     }
     boundaries.near = dilated(boundaries.edges, half.width, half.height);
-    boundaries.sharpness = sharpnessOf(half, steps);
+    boundaries.sharpness = sharpnessOf(half);
     return boundaries;
 }
 

@@ -110,6 +110,7 @@ Scales scalesOf(Planes planes) {
     scales.planes[0] = std::move(planes);
     scales.planes[1] = halved(halved(scales.planes[0]));
     scales.planes[2] = halved(halved(scales.planes[1]));
+    scales.soft = softened(scales.planes[0]);
     return scales;
 }
 
@@ -120,8 +121,8 @@ std::optional<Displacement> findDisplacement(const Scales& frame, const Scales& 
         return std::nullopt;
     std::vector<Shift> shifts;
     for (int level = 2; level >= 0; --level) {
-        const Planes& f = frame.planes[level];
-        const Planes& r = reference.planes[level];
+        const Planes& f = level ? frame.planes[level] : frame.soft;
+        const Planes& r = level ? reference.planes[level] : reference.soft;
         const auto places = placesOf(object, width, height, kScales[level]);
         if (places.empty())
             continue;  // too small to be seen at this scale

@@ -19,9 +19,10 @@ struct Displacement {
     std::string text() const;
 };
 
-/// The picture at scales 1, 4 and 16, for the search.
+/// The picture at scales 1, 4 and 16.
 struct Scales {
     Planes planes[3];
+    Planes soft;  ///< scale 1 softened, for the search: noise makes no place fit better
 };
 Scales scalesOf(Planes planes);
 inline constexpr int kScales[3] = {1, 4, 16};

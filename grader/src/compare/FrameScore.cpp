@@ -12,6 +12,7 @@ namespace grader {
 
 namespace {
 
+constexpr double kNothing = 0.01;          // what drivers differ by is no way to go
 constexpr double kEnough = 0.99;           // counts as everything
 constexpr double kMostWhenLost = 0.99;     // what is not everything stays below it
 constexpr double kSharpEnough = 0.6;       // of the reference's sharpness
@@ -24,7 +25,9 @@ double clamped(double share) {
 
 /// What is not everything must not read as everything, and the other way round.
 double settled(double score) {
-    return score >= kEnough ? 1.0 : std::min(clamped(score), kMostWhenLost);
+    return score >= kEnough
+               ? 1.0
+               : std::min(clamped((score - kNothing) / (kEnough - kNothing)), kMostWhenLost);
 }
 
 /// The frame with what is no number made as wrong as can be.

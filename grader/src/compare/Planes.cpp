@@ -47,6 +47,32 @@ Map halvedAlongY(const Map& from, int width, int height) {
     return to;
 }
 
+/// A run of pixels, each weighted with its neighbours, 1 2 1.
+void soften(const std::uint8_t* before, const std::uint8_t* here, const std::uint8_t* behind,
+            int count, std::uint8_t* out) {
+    for (int i = 0; i < count; ++i)
+        out[i] = static_cast<std::uint8_t>((before[i] + 2 * here[i] + behind[i] + 2) / 4);
+}
+
+Map softened(const Map& from, int width, int height) {
+    Map rows(from.size()), both(from.size());
+    for (int y = 0; y < height; ++y) {
+        const std::uint8_t* row = from.data() + static_cast<std::ptrdiff_t>(y) * width;
+        std::uint8_t* out = rows.data() + static_cast<std::ptrdiff_t>(y) * width;
+        out[0] = row[0];
+        out[width - 1] = row[width - 1];
+        soften(row, row + 1, row + 2, width - 2, out + 1);
+    }
+    for (int y = 0; y < height; ++y) {
+        const auto at = [&](int line) {
+            return rows.data() + static_cast<std::ptrdiff_t>(std::clamp(line, 0, height - 1)) * width;
+        };
+        soften(at(y - 1), at(y), at(y + 1), width,
+               both.data() + static_cast<std::ptrdiff_t>(y) * width);
+    }
+    return both;
+}
+
 }  // namespace
 
 Planes planesOf(const Picture& picture) {
@@ -66,6 +92,13 @@ Planes halved(const Planes& planes) {
         half.channel[c] = halvedAlongY(halvedAlongX(planes.channel[c], planes.width, planes.height),
                                        half.width, planes.height);
     return half;
+}
+
+Planes softened(const Planes& planes) {
+    Planes soft{planes.width, planes.height, {}};
+    for (int c = 0; c < 3; ++c)
+        soft.channel[c] = softened(planes.channel[c], planes.width, planes.height);
+    return soft;
 }
 
 }  // namespace grader

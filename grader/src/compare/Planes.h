@@ -24,4 +24,8 @@ using Map = std::vector<std::uint8_t>;
 /// binomial weights 1 4 6 4 1 in both directions. Smooth: a small shift changes it a little.
 Planes halved(const Planes& planes);
 
+/// The same size, each pixel the mean of its neighbourhood with the weights 1 2 1 in both
+/// directions: what drivers differ by is averaged out.
+Planes softened(const Planes& planes);
+
 }  // namespace grader

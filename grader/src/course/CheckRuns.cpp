@@ -85,17 +85,16 @@ void checkVariant(const Grader& grader, const Manifest& manifest, const fs::path
 void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& findings) {
     checkStarter(grader, manifest, findings);
     checkSolution(grader, manifest, findings);
-    const fs::path folder = grader.tools().root / "solutions" / manifest.id / "variants";
+    const fs::path folder = grader.tools().root / "solutions" / manifest.id;
     int right = 0;
-    if (fs::is_directory(folder))
-        for (const auto& variant : fs::directory_iterator(folder)) {
-            checkVariant(grader, manifest, variant.path(), findings);
-            right += fs::exists(variant.path() / "loses.json") ? 0 : 1;
-        }
+    for (const fs::path& variant : variantsOf(folder)) {
+        checkVariant(grader, manifest, variant, findings);
+        right += fs::exists(variant / "loses.json") ? 0 : 1;
+    }
     if (right < kFewestVariants)
         findings.add(fmt::format("{} has {} right programs that are written otherwise, expected at "
                                  "least {}",
-                                 folder.string(), right, kFewestVariants),
+                                 (folder / "variants").string(), right, kFewestVariants),
                      "write another");
 }
 
