@@ -166,6 +166,14 @@ bool isUnnormalised(const std::vector<AnswerPair>& pairs) {
     });
 }
 
+/// What came is no finite number where the right one is.
+bool isBroken(const AnswerPair& pair) {
+    for (std::size_t i = 0; i < pair.got.numbers.size(); ++i)
+        if (std::isfinite(pair.right.numbers[i]) && !std::isfinite(pair.got.numbers[i]))
+            return true;
+    return false;
+}
+
 /// The factor between the largest right number and what came for it.
 double factorOf(const AnswerPair& pair) {
     const auto largest =
@@ -189,6 +197,10 @@ std::optional<std::string> usualSlip(const std::vector<AnswerPair>& all) {
             wrongNumbers += pair.right.numbers.size();
         }
     }
+    if (std::any_of(pairs.begin(), pairs.end(), isBroken))
+        return "Some of your numbers are none (nan or inf): a division by 0, or the root or power "
+               "of a "
+               "negative number, gives such.";
     // One vector can be met by chance, two or a matrix cannot.
     if (wrong == 0 || wrongNumbers < 4)
         return std::nullopt;

@@ -51,6 +51,15 @@ TEST(UsualSlips, DegreesForRadians) {
                 HasSubstr("as many radians"));
 }
 
+TEST(UsualSlips, NoNumbers) {
+    const double nan = std::nan("");
+    EXPECT_THAT(saidOf({{value("float", {0.5}), value("float", {0.5})},
+                        {value("vec3", {0, 0, 0}), value("vec3", {nan, nan, 0})}}),
+                HasSubstr("nan or inf"));
+    EXPECT_EQ(saidOf({{value("vec3", {nan, 0, 0}), value("vec3", {nan, 0, 1})}}), "nothing")
+        << "where none is right, none is wrong";
+}
+
 TEST(UsualSlips, Negated) {
     EXPECT_THAT(saidOf({{value("vec3", {1, 2, 3}), value("vec3", {-1, -2, -3})},
                         {value("vec3", {0, 5, 1}), value("vec3", {0, -5, -1})}}),

@@ -2,5 +2,6 @@
 vec3 specularPart(int i, vec4 p, vec3 n, vec3 l) {
     vec3 v = normalize(-p.xyz);
     vec3 h = normalize(v + l);
-    return specular.rgb * pow(dot(n, h), shininess) * lightcolors[i].rgb;
+    float cosine = dot(n, h);
+    return specular.rgb * sign(cosine) * pow(abs(cosine), shininess) * lightcolors[i].rgb;
 }

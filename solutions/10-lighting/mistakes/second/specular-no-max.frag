@@ -4,6 +4,6 @@ vec3 specularPart(int i, vec4 p, vec3 n, vec3 l) {
     between *= inversesqrt(dot(between, between));
     float cosine = between.x * n.x + between.y * n.y + between.z * n.z;
     vec4 part = lightcolors[i] * specular;
-    part *= pow(cosine, shininess);
+    part *= cosine < 0.0 ? -exp2(shininess * log2(-cosine)) : pow(cosine, shininess);
     return part.rgb;
 }
