@@ -16,10 +16,10 @@ function(grader_add_unit_tests name)
         ${arg_LINK} GTest::gmock GTest::gtest_main course_warnings)
     target_compile_definitions(${name} PRIVATE
         FAKE_RUNNER="$<TARGET_FILE:grader_fake_runner>"
-        SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>")
-    add_dependencies(${name} grader_fake_runner grader_sandbox_probe)
+        SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>" CONFINE="$<TARGET_FILE:confine>")
+    add_dependencies(${name} grader_fake_runner grader_sandbox_probe confine)
     gtest_discover_tests(${name} TEST_PREFIX grader.
-        PROPERTIES TIMEOUT 60 FAIL_REGULAR_EXPRESSION "Running 0 tests")
+        PROPERTIES TIMEOUT 60 RUN_SERIAL TRUE FAIL_REGULAR_EXPRESSION "Running 0 tests")
 endfunction()
 
 grader_add_unit_tests(grader_unit_tests
@@ -44,7 +44,7 @@ target_link_libraries(grader_sample_report PRIVATE grader_core course_warnings)
 if(EXISTS ${PROJECT_SOURCE_DIR}/solutions)
     add_test(NAME report.browser COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests/run.js
         $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>)
-    set_tests_properties(report.browser PROPERTIES TIMEOUT 600)
+    set_tests_properties(report.browser PROPERTIES TIMEOUT 600 RUN_SERIAL TRUE)
 endif()
 
 # The scoring rule on pictures whose worth is known; it prints the table of docs/scoring.md.

@@ -1,7 +1,7 @@
-// That no mark hangs on what draws: the frames of every solution, variant and mistake are drawn with
-// both of Mesa's drivers for CPUs and with both kinds of contexts, and must be worth the same; right
-// programs are tested with each, too. Beside it stands how far the pictures differ, and how much of
-// the frames' budgets (the manifest's "tolerance") right programs use.
+// That no mark hangs on what draws: the frames of every solution, variant and mistake are drawn
+// with both of Mesa's drivers for CPUs and with both kinds of contexts, and must be worth the same;
+// right programs are tested with each, too. Beside it stands how far the pictures differ, and how
+// much of the frames' budgets (the manifest's "tolerance") right programs use.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,8 @@ const Renderer kOthers[] = {{"osmesa", "softpipe"}, {"egl", "llvmpipe"}};
 
 /// What is drawn more slowly is not wrong: softpipe takes up to twenty times as long.
 constexpr int kPatience = 20;
-/// What a score that is neither everything nor nothing may move by, as under noise (docs/scoring.md).
+/// What a score that is neither everything nor nothing may move by, as under noise
+/// (docs/scoring.md).
 constexpr double kSameShare = 0.005;
 
 struct Options {
@@ -48,11 +49,11 @@ struct Difference {
 double shareDifferent(const Picture& a, const Picture& b) {
     double different = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4)
-        different += std::equal(a.rgba.begin() + std::ptrdiff_t(i),
-                                a.rgba.begin() + std::ptrdiff_t(i) + 3,
-                                b.rgba.begin() + std::ptrdiff_t(i))
-                         ? 0
-                         : 1;
+        different +=
+            std::equal(a.rgba.begin() + std::ptrdiff_t(i), a.rgba.begin() + std::ptrdiff_t(i) + 3,
+                       b.rgba.begin() + std::ptrdiff_t(i))
+                ? 0
+                : 1;
     return 4 * different / static_cast<double>(a.rgba.size());
 }
 
@@ -110,19 +111,19 @@ private:
     void compareChecks(const std::string& program, const CheckResult& expected,
                        const CheckResult& found, std::size_t k, bool right) {
         Difference& difference = differences_[k];
-        const double moved = expected.maxPoints > 0 ? std::abs(expected.points - found.points) /
-                                                          expected.maxPoints
-                                                    : 0;
+        const double moved = expected.maxPoints > 0
+                                 ? std::abs(expected.points - found.points) / expected.maxPoints
+                                 : 0;
         difference.mostScore = std::max(difference.mostScore, moved);
         if (moved > kSameShare || expected.status != found.status)
-            findings_.add(fmt::format("{}: {} is {} with {:g} points by {}, and {} with {:g} by "
-                                      "{}: {}",
-                                      program, expected.id, judge::toString(expected.status),
-                                      expected.points, nameOf(kUsual),
-                                      judge::toString(found.status), found.points,
-                                      nameOf(kOthers[k]),
-                                      found.message.empty() ? expected.message : found.message),
-                          "make the check's tolerance hold what drivers differ by");
+            findings_.add(
+                fmt::format("{}: {} is {} with {:g} points by {}, and {} with {:g} by "
+                            "{}: {}",
+                            program, expected.id, judge::toString(expected.status), expected.points,
+                            nameOf(kUsual), judge::toString(found.status), found.points,
+                            nameOf(kOthers[k]),
+                            found.message.empty() ? expected.message : found.message),
+                "make the check's tolerance hold what drivers differ by");
         if (!expected.pictures || !found.pictures)
             return;
         const Picture &a = expected.pictures->submission, &b = found.pictures->submission;
@@ -133,8 +134,11 @@ private:
         difference.identical += pixels == 0 ? 1 : 0;
         difference.mostPixels = std::max(difference.mostPixels, pixels);
         difference.mostOff = std::max(difference.mostOff, off);
-        if (right)
-            used_ = std::max({used_, off, found.pictures->score.outliers});
+        if (!right)
+            return;
+        used_ = std::max(used_, off);
+        if (expected.maxPoints > 0)  // else the picture is the student's choice
+            used_ = std::max(used_, found.pictures->score.outliers);
     }
 
     void print() const {
@@ -151,9 +155,10 @@ private:
         double budget = 0;
         for (const Frame& frame : manifest_.frames)
             budget = std::max(budget, frame.tolerance);
-        std::cout << fmt::format("  right programs use {:.4f} % of a frame's pixels, budget {:.2f} "
-                                 "%\n{}: {} findings\n",
-                                 100 * used_, 100 * budget, manifest_.id, findings_.count());
+        std::cout << fmt::format(
+            "  right programs use {:.4f} % of a frame's pixels, budget {:.2f} "
+            "%\n{}: {} findings\n",
+            100 * used_, 100 * budget, manifest_.id, findings_.count());
     }
 
     const Grader usual_;
@@ -175,7 +180,7 @@ void addCheckDriversCommand(CLI::App& app, int& exitCode) {
     command->add_option("--only", options.only, "only programs whose name holds this text");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
-        const auto sandbox = chooseSandbox();
+        const auto sandbox = chooseSandbox(tools.confine());
         int findings = 0;
         for (const std::string& id :
              options.assignments.empty() ? knownAssignments(tools.root) : options.assignments)
