@@ -55,8 +55,8 @@ public:
     explicit Bench(const std::string& assignment)
         : tools_(Toolchain::load()),
           manifest_(loadAssignment(tools_.root, assignment)),
-          plain_(makePlainProcess()),
-          observer_(tools_, *plain_, "auto"),
+          plain_(makePlainProcess(tools_.confine())),
+          observer_(tools_, *plain_, {}),
           grader_(tools_, *plain_) {
         submission_ = work_.path() / "submission";
         fs::copy(tools_.root / "solutions", submission_, fs::copy_options::recursive);
@@ -108,11 +108,12 @@ public:
         BuildResult build;
         build.ok = true;
         build.stage = folder;
+        build.user = user_.id();
         build.object = folder / "subject.so";
         link.insert(link.end(),
                     {(tools_.kit / "lib/libcg.a").string(), "-o", build.object.string()});
         mustRun(link);
-        shareWithSandbox(folder, false);
+        shareWithSandbox(folder, user_.id(), false);
         observer_.drawFrames(manifest_, build, 1);
     }
 
@@ -157,6 +158,7 @@ private:
     Observer observer_;
     Grader grader_;
     WorkFolder work_;
+    JobUser user_;
     fs::path submission_;
     Stage stage_;
     int edits_ = 0;

@@ -53,14 +53,15 @@ struct Made {
 class OneBuild {
 public:
     OneBuild(const Toolchain& tools, const Sandbox& sandbox, const Stage& stage,
-             const AssignmentLimits& limits, const fs::path& work)
+             const AssignmentLimits& limits, const Job& job)
         : tools_(tools),
           sandbox_(sandbox),
           stage_(stage),
           limits_(limits),
           cache_(tools.cache / "objects"),
-          sources_(work / "stage"),
-          out_(work / "out"),
+          sources_(job.work.path() / "stage"),
+          out_(job.work.path() / "out"),
+          user_(job.user.id()),
           includesOnlyHeaders_(
               std::all_of(stage.files.begin(), stage.files.end(), [](const StagedFile& file) {
                   const bool code = isHeader(file.name) || file.name.ends_with(".cpp");
@@ -88,6 +89,7 @@ public:
         for (Diagnostic& each : result.diagnostics)
             quoteSource(each);
         result.object = out_ / "subject.so";
+        result.user = user_;
         return result;
     }
 
@@ -96,8 +98,8 @@ private:
         for (const StagedFile& file : stage_.files)
             writeFile(sources_ / file.name, file.content);
         fs::create_directories(out_);
-        shareWithSandbox(sources_, false);
-        shareWithSandbox(out_, true);
+        shareWithSandbox(sources_, user_, false);
+        shareWithSandbox(out_, user_, true);
     }
 
     /// The student's own files first: the linker takes the first definition it meets.
@@ -177,6 +179,7 @@ private:
         confinement.readable = {tools_.kit, sources_};
         confinement.writable = {out_};
         confinement.workingFolder = sources_;
+        confinement.user = user_;
         confinement.limits.cpuSeconds = limits_.buildSeconds;
         confinement.limits.memoryMib = kCompilerMemoryMib;
         ProcessResult result =
@@ -215,14 +218,15 @@ private:
     const AssignmentLimits& limits_;
     ObjectCache cache_;
     fs::path sources_, out_;
+    unsigned user_;
     bool includesOnlyHeaders_;  ///< of every C++ file in the stage
 };
 
 }  // namespace
 
 BuildResult Builder::build(const Stage& stage, const AssignmentLimits& limits,
-                           const fs::path& work) const {
-    return OneBuild(tools_, sandbox_, stage, limits, work).run();
+                           const Job& job) const {
+    return OneBuild(tools_, sandbox_, stage, limits, job).run();
 }
 
 }  // namespace grader

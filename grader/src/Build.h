@@ -11,9 +11,16 @@ struct BuildResult {
     std::vector<Diagnostic> diagnostics;  ///< errors first, in the order of the compiler
     fs::path stage;                       ///< the folder with the files
     fs::path object;                      ///< the subject, when ok
+    unsigned user = 0;                    ///< the job's: whom the subject runs as
 };
 
-/// Builds a stage into one shared object, below `work`.
+/// What one submission has to itself while it is graded.
+struct Job {
+    WorkFolder work;
+    JobUser user;
+};
+
+/// Builds a stage into one shared object, in the job's folder.
 ///
 /// One compiler call per source file, in the sandbox, in parallel; what the same compiler made of
 /// the same text before is taken from the cache. Inherited files are linked from an archive, so
@@ -22,8 +29,7 @@ class Builder {
 public:
     Builder(const Toolchain& tools, const Sandbox& sandbox) : tools_(tools), sandbox_(sandbox) {}
 
-    BuildResult build(const Stage& stage, const AssignmentLimits& limits,
-                      const fs::path& work) const;
+    BuildResult build(const Stage& stage, const AssignmentLimits& limits, const Job& job) const;
 
 private:
     const Toolchain& tools_;

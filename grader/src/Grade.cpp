@@ -113,10 +113,10 @@ void Grader::fillIn(AssignmentResult& result, const Manifest& manifest, const St
 Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& stage,
                                        std::uint64_t seed) const {
     using Clock = std::chrono::steady_clock;
-    const WorkFolder work;
+    const Job job;
     StageResult result;
     const auto building = Clock::now();
-    result.build = builder_.build(stage, manifest.limits, work.path());
+    result.build = builder_.build(stage, manifest.limits, job);
     result.buildSeconds = secondsSince(building);
     if (!result.build.ok) {
         result.checks = unjudged(manifest);
@@ -125,7 +125,7 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
     const auto observing = Clock::now();
     auto drawing = std::async(std::launch::async,
                               [&] { return observer_.drawFrames(manifest, result.build, seed); });
-    const auto tests = observer_.runTests(manifest, result.build, seed, work.path());
+    const auto tests = observer_.runTests(manifest, result.build, seed, job.work.path());
     for (const TestOutcome& test : tests)
         result.checks.push_back(checkOf(manifest, test, tests));
     Frames frames = drawing.get();
@@ -138,9 +138,9 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
 
 Grader::StageResult Grader::gradeFrames(const Manifest& manifest, const Stage& stage,
                                         std::uint64_t seed) const {
-    const WorkFolder work;
+    const Job job;
     StageResult result;
-    result.build = builder_.build(stage, manifest.limits, work.path());
+    result.build = builder_.build(stage, manifest.limits, job);
     if (!result.build.ok)
         return result;
     Frames frames = observer_.drawFrames(manifest, result.build, seed);
@@ -193,8 +193,8 @@ std::vector<CheckResult> Grader::unjudged(const Manifest& manifest) const {
 
 std::map<std::string, Picture> Grader::draw(const Manifest& manifest, const Stage& stage,
                                             std::uint64_t seed) const {
-    const WorkFolder work;
-    const BuildResult build = builder_.build(stage, manifest.limits, work.path());
+    const Job job;
+    const BuildResult build = builder_.build(stage, manifest.limits, job);
     if (!build.ok)
         throw Error("the frames of {} cannot be drawn: {}:{}: {}", manifest.id,
                     build.diagnostics.front().file, build.diagnostics.front().line,

@@ -92,6 +92,7 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
     Confinement confinement;
     confinement.readable = {tools_.kit, build.stage, build.object.parent_path()};
     confinement.workingFolder = build.stage;
+    confinement.user = build.user;
     // One thread, and no cache that another program could have filled.
     confinement.environment = {"GALLIUM_DRIVER=" + renderer_.driver, "LIBGL_ALWAYS_SOFTWARE=1",
                                "LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true"};

@@ -20,7 +20,7 @@ namespace grader {
 namespace {
 
 [[noreturn]] void become(const std::vector<std::string>& command, int output) {
-    setpgid(0, 0);
+    setsid();  // a group of its own, and no terminal
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, 0);
@@ -50,7 +50,6 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     close(pipes[1]);
     if (pid < 0)
         throw Error("{} cannot be started: {}", command.front(), std::strerror(errno));
-    setpgid(pid, pid);
 
     ProcessResult result;
     const auto end = steady_clock::now() + duration<double>(timeoutSeconds);
@@ -73,8 +72,10 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
         if (result.output.size() > outputLimit)
             break;
     }
-    if (result.timedOut || result.output.size() > outputLimit)
+    if (result.timedOut || result.output.size() > outputLimit) {
+        kill(pid, SIGKILL);  // it may not lead its group yet
         kill(-pid, SIGKILL);
+    }
     result.output.resize(std::min(result.output.size(), outputLimit));
     close(pipes[0]);
     int status = 0;

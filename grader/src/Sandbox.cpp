@@ -1,9 +1,13 @@
 #include "Sandbox.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 
 #include "Error.h"
@@ -14,6 +18,11 @@ namespace grader {
 namespace {
 
 using Command = std::vector<std::string>;
+
+constexpr unsigned kNobody = 65534;  // as whom a program sees itself in its namespace
+
+/// Users without a name; Debian keeps these numbers free.
+constexpr unsigned kFirstJobUser = 65000, kJobUsers = 500;
 
 void append(Command& command, const Command& more) {
     command.insert(command.end(), more.begin(), more.end());
@@ -41,35 +50,37 @@ int threadsOfThisUser() {
     return threads;
 }
 
-Command limitsOf(const Limits& limits, int otherProcesses) {
-    const long long mib = 1024 * 1024;
-    return {"prlimit",
-            fmt::format("--cpu={}", limits.cpuSeconds),
-            fmt::format("--as={}", limits.memoryMib * mib),
-            fmt::format("--nproc={}", limits.processes + otherProcesses),
-            fmt::format("--fsize={}", limits.fileMib * mib),
-            fmt::format("--nofile={}", limits.openFiles),
-            "--core=0",
+/// Our program that sets the limits and the filter, and what it is told.
+Command confineCommand(const fs::path& confine, const Limits& limits, int otherProcesses) {
+    return {confine.string(),
+            fmt::format("cpu={}", limits.cpuSeconds),
+            fmt::format("memory={}", limits.memoryMib),
+            fmt::format("processes={}", limits.processes + otherProcesses),
+            fmt::format("file={}", limits.fileMib),
+            fmt::format("files={}", limits.openFiles),
             "--"};
 }
 
-Command becomeUnprivileged() {
+Command becomeUnprivileged(unsigned user) {
     if (geteuid() != 0)
         return {};
-    const std::string id = std::to_string(kSandboxUser);
+    if (user == 0)
+        throw Error("a program was about to run as root in a sandbox");
+    const std::string id = std::to_string(user);
     return {"setpriv", "--reuid", id, "--regid", id, "--clear-groups"};
 }
 
 class Bubblewrap : public Sandbox {
 public:
+    explicit Bubblewrap(fs::path confine) : confine_(std::move(confine)) {}
     std::string name() const override { return "bubblewrap"; }
     std::string weakness() const override { return ""; }
 
     Command confine(const Confinement& confinement, const Command& command) const override {
-        const std::string id = std::to_string(kSandboxUser);
+        const std::string id = std::to_string(kNobody);
         Command all = {"env", "-i"};
         append(all, environment(confinement));
-        append(all, becomeUnprivileged());
+        append(all, becomeUnprivileged(confinement.user));
         append(all, {"bwrap",
                      "--unshare-all",
                      "--unshare-user",
@@ -106,15 +117,20 @@ public:
             append(all, {"--ro-bind", folder.string(), folder.string()});
         for (const fs::path& folder : confinement.writable)
             append(all, {"--bind", folder.string(), folder.string()});
+        append(all, {"--ro-bind", confine_.string(), confine_.string()});
         append(all, {"--remount-ro", "/", "--chdir", confinement.workingFolder.string(), "--"});
-        append(all, limitsOf(confinement.limits, 0));
+        append(all, confineCommand(confine_, confinement.limits, 0));
         append(all, command);
         return all;
     }
+
+private:
+    const fs::path confine_;
 };
 
 class PlainProcess : public Sandbox {
 public:
+    explicit PlainProcess(fs::path confine) : confine_(std::move(confine)) {}
     std::string name() const override { return "plain"; }
     std::string weakness() const override {
         return "bubblewrap does not run on this machine: the submission ran as a plain process "
@@ -124,38 +140,72 @@ public:
     Command confine(const Confinement& confinement, const Command& command) const override {
         Command all = {"env", "-i", "-C", confinement.workingFolder.string()};
         append(all, environment(confinement));
-        append(all, becomeUnprivileged());
+        append(all, becomeUnprivileged(confinement.user));
         append(all, {"setpriv", "--no-new-privs", "--pdeathsig", "KILL"});
         static const int others = geteuid() == 0 ? 0 : threadsOfThisUser();
-        append(all, limitsOf(confinement.limits, others));
+        append(all, confineCommand(confine_, confinement.limits, others));
         append(all, command);
         return all;
     }
+
+private:
+    const fs::path confine_;
 };
 
 }  // namespace
 
-std::unique_ptr<Sandbox> makeBubblewrap() {
-    return std::make_unique<Bubblewrap>();
+std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine) {
+    return std::make_unique<Bubblewrap>(confine);
 }
-std::unique_ptr<Sandbox> makePlainProcess() {
-    return std::make_unique<PlainProcess>();
+std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine) {
+    return std::make_unique<PlainProcess>(confine);
 }
 
-std::unique_ptr<Sandbox> chooseSandbox() {
-    auto bubblewrap = makeBubblewrap();
+std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine) {
+    auto bubblewrap = makeBubblewrap(confine);
+    const JobUser user;
     Confinement nothing;
     nothing.workingFolder = "/";
+    nothing.user = user.id();
     if (run(bubblewrap->confine(nothing, {"true"}), 5.0).succeeded())
         return bubblewrap;
-    return makePlainProcess();
+    return makePlainProcess(confine);
 }
 
-void shareWithSandbox(const fs::path& folder, bool writable) {
+JobUser::JobUser() : id_(geteuid()) {
+    if (id_ != 0)
+        return;
+    const fs::path home = "/var/cache/graphics-course/users";
+    fs::create_directories(home);
+    fs::permissions(home, fs::perms::owner_all);
+    // Not all jobs ask for the first one first.
+    const auto start = static_cast<unsigned>(getpid()) % kJobUsers;
+    for (unsigned i = 0; i < kJobUsers; ++i) {
+        const unsigned id = kFirstJobUser + (start + i) % kJobUsers;
+        const int file =
+            open((home / std::to_string(id)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+        if (file < 0)
+            throw Error("{} cannot be written: {}", home.string(), std::strerror(errno));
+        if (flock(file, LOCK_EX | LOCK_NB) == 0) {
+            id_ = id;
+            lock_ = file;
+            return;
+        }
+        close(file);
+    }
+    throw Error("all {} users for jobs are taken: wait until other grading has ended", kJobUsers);
+}
+
+JobUser::~JobUser() {
+    if (lock_ >= 0)
+        close(lock_);
+}
+
+void shareWithSandbox(const fs::path& folder, unsigned user, bool writable) {
     if (geteuid() != 0)
         return;
     const auto change = [&](const fs::path& path) {
-        if (chown(path.c_str(), writable ? kSandboxUser : 0, kSandboxUser) != 0)
+        if (lchown(path.c_str(), writable ? user : 0, user) != 0)
             throw Error("{} cannot be given to the sandbox's user", path.string());
     };
     change(folder);

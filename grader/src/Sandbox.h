@@ -22,6 +22,7 @@ struct Confinement {
     std::vector<fs::path> writable;
     fs::path workingFolder;
     std::vector<std::string> environment;  ///< "NAME=VALUE", beside the few that all programs see
+    unsigned user = 0;  ///< whom root becomes before it starts the program; see JobUser
     Limits limits;
 };
 
@@ -44,18 +45,33 @@ public:
 
 /// Bubblewrap: namespaces of its own for everything, a read-only system, no network, no
 /// capabilities. Started by root it first becomes an unprivileged user *outside* the namespace.
-std::unique_ptr<Sandbox> makeBubblewrap();
+/// `confine`: our program that sets limits and the filter of system calls, see grader/confine.
+std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine);
 
-/// A plain process with limits; as root, another user. It can read what that user can read.
-std::unique_ptr<Sandbox> makePlainProcess();
+/// A plain process with the same limits and filter; as root, another user. It can read what that
+/// user can read, and see other processes.
+std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine);
 
 /// Bubblewrap where it works, else a plain process.
-std::unique_ptr<Sandbox> chooseSandbox();
+std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine);
 
-/// The user that confined programs run as when the grader was started by root.
-inline constexpr unsigned kSandboxUser = 65534;
+/// The user that the programs of one job run as when the grader was started by root: one without a
+/// name, whom no other job on this machine has at the same time, so that the limits and files of
+/// neighbours are apart. Otherwise the grader's own. Throws Error when all are taken.
+class JobUser {
+public:
+    JobUser();
+    ~JobUser();
+    JobUser(const JobUser&) = delete;
+    JobUser& operator=(const JobUser&) = delete;
+    unsigned id() const { return id_; }
 
-/// Hands a work folder to the confined user when the grader is root: readable, or its own.
-void shareWithSandbox(const fs::path& folder, bool writable);
+private:
+    unsigned id_;
+    int lock_ = -1;
+};
+
+/// Hands a work folder to a job's user when the grader is root: readable, or its own.
+void shareWithSandbox(const fs::path& folder, unsigned user, bool writable);
 
 }  // namespace grader

@@ -48,14 +48,14 @@ void openToOthers(const fs::path& folder) {
     chmod(folder.c_str(), 0755);
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         chmod(entry.path().c_str(),
-              entry.is_directory() || entry.path().filename() == "runner" ? 0755 : 0644);
+              entry.is_directory() || entry.path().parent_path().filename() == "bin" ? 0755 : 0644);
 }
 
 }  // namespace
 
 std::string fingerprintOf(const fs::path& kit) {
     std::string text = kit.string();
-    for (const char* name : {"prelude/prelude.h.gch", "lib/libcg.a", "bin/runner"}) {
+    for (const char* name : {"prelude/prelude.h.gch", "lib/libcg.a", "bin/runner", "bin/confine"}) {
         struct stat status {};
         stat((kit / name).c_str(), &status);
         text +=

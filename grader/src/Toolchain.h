@@ -25,6 +25,7 @@ struct Toolchain {
         return build / "judges" / (assignment + "_tests");
     }
     fs::path runner() const { return kit / "bin/runner"; }
+    fs::path confine() const { return kit / "bin/confine"; }
 
     /// Throws Error when the file is missing or not what the build writes.
     static Toolchain load();

@@ -105,7 +105,7 @@ private:
         const pid_t parent = getpid();
         pid_ = fork();
         if (pid_ == 0) {
-            setpgid(0, 0);
+            setsid();  // a group of its own, and no terminal
             prctl(PR_SET_PDEATHSIG, SIGKILL);
             if (getppid() != parent)
                 _exit(1);
@@ -139,6 +139,7 @@ private:
         int status = 0;
         for (int waited = 0; waited < 50 && waitpid(pid_, &status, WNOHANG) == 0; ++waited)
             usleep(1000);
+        kill(pid_, SIGKILL);  // it may not lead its group yet
         kill(-pid_, SIGKILL);
         waitpid(pid_, &status, 0);
         std::string said(kKeptErrors, '\0');

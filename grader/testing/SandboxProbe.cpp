@@ -3,10 +3,13 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 extern char** environ;
@@ -84,6 +88,51 @@ void writeLargeFile(const std::string& folder, int mebibytes) {
     std::printf("written: %d\n", written);
 }
 
+/// System calls that most programs may make elsewhere, with arguments that would do no harm.
+void tryCall(const std::string& name) {
+    long result = -1;
+    std::uint64_t zeros[16] = {};
+    iovec nothing{zeros, sizeof zeros};
+    if (name == "unshare")
+        result = syscall(SYS_unshare, CLONE_NEWUSER);
+    else if (name == "mount")
+        result = syscall(SYS_mount, "none", "/tmp", "tmpfs", 0, nullptr);
+    else if (name == "ptrace")
+        result = syscall(SYS_ptrace, 0 /* PTRACE_TRACEME */, 0, 0, 0);
+    else if (name == "process_vm_readv")
+        result = syscall(SYS_process_vm_readv, getpid(), &nothing, 1, &nothing, 1, 0);
+    else if (name == "keyctl")
+        result = syscall(SYS_keyctl, 0 /* KEYCTL_GET_KEYRING_ID */, -2, 0);
+    else if (name == "bpf")
+        result = syscall(SYS_bpf, 0, nullptr, 0);
+    else if (name == "io_uring_setup")
+        result = syscall(SYS_io_uring_setup, 1, zeros);
+    else if (name == "userfaultfd")
+        result = syscall(SYS_userfaultfd, 1 /* UFFD_USER_MODE_ONLY */);
+    else if (name == "perf_event_open")
+        result = syscall(SYS_perf_event_open, zeros, 0, -1, -1, 0);
+    else if (name == "clone-newuser")
+        result = syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, nullptr, nullptr, nullptr, 0);
+    else if (name == "clone3")
+        result = syscall(SYS_clone3, zeros, 64);
+    else if (name == "setns")
+        result = syscall(SYS_setns, -1, 0);
+    else if (name == "personality")
+        result = syscall(SYS_personality, 0xffffffff);
+    else
+        errno = ENOENT;
+    say(name.c_str(), result >= 0);
+}
+
+void trySocket(const std::string& name) {
+    const std::pair<const char*, int> families[] = {
+        {"unix", AF_UNIX},     {"inet", AF_INET},   {"inet6", AF_INET6}, {"netlink", AF_NETLINK},
+        {"packet", AF_PACKET}, {"vsock", AF_VSOCK}, {"alg", AF_ALG}};
+    for (const auto& [known, family] : families)
+        if (name == known)
+            say(known, socket(family, SOCK_DGRAM, 0) >= 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,6 +144,10 @@ int main(int argc, char** argv) {
         tryToWrite(argument);
     else if (attempt == "connect")
         tryToConnect(std::atoi(argument.c_str()));
+    else if (attempt == "call")
+        tryCall(argument);
+    else if (attempt == "socket")
+        trySocket(argument);
     else if (attempt == "fork")
         forkUpTo(std::atoi(argument.c_str()));
     else if (attempt == "memory")

@@ -44,7 +44,7 @@ void addCheckCourseCommand(CLI::App& app, int& exitCode) {
     command->add_option("assignments", assignments, "default all");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
-        const auto sandbox = chooseSandbox();
+        const auto sandbox = chooseSandbox(tools.confine());
         const Grader grader(tools, *sandbox);
         Findings ofTheCourse;
         checkIds(tools, ofTheCourse);

@@ -179,7 +179,7 @@ void addCheckRecognitionCommand(CLI::App& app, int& exitCode) {
     command->add_option("--only", options.only, "only mistakes whose id holds this text");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
-        const auto sandbox = chooseSandbox();
+        const auto sandbox = chooseSandbox(tools.confine());
         const Grader grader(tools, *sandbox);
         int findings = 0;
         for (const std::string& id :

@@ -101,7 +101,8 @@ int exitCodeOf(const std::vector<AssignmentResult>& results) {
 int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Selection selection = select(tools, options);
-    const auto sandbox = options.noSandbox ? makePlainProcess() : chooseSandbox();
+    const auto sandbox =
+        options.noSandbox ? makePlainProcess(tools.confine()) : chooseSandbox(tools.confine());
     const Grader grader(tools, *sandbox, {.context = options.context});
 
     const bool quiet = options.json == "-";

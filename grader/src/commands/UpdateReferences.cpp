@@ -100,7 +100,7 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode) {
     command->add_option("assignments", assignments, "default all");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
-        const auto sandbox = chooseSandbox();
+        const auto sandbox = chooseSandbox(tools.confine());
         const Grader grader(tools, *sandbox);
         for (const std::string& id :
              assignments.empty() ? knownAssignments(tools.root) : assignments)
