@@ -200,8 +200,12 @@ private:
             diagnostic.source = sourceLine(file->content, diagnostic.line);
     }
 
-    static void note(const Made& made, BuildResult& result) {
-        const auto found = parseDiagnostics(made.log);
+    /// Of a file that is not the student's, its name is enough, and may be a lie (#line).
+    void note(const Made& made, BuildResult& result) const {
+        auto found = parseDiagnostics(made.log);
+        for (Diagnostic& each : found)
+            if (!stage_.find(each.file))
+                each.file = fs::path(each.file).filename().string();
         result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
         result.ok = result.ok && made.ok;
         const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {
@@ -209,7 +213,7 @@ private:
         });
         if (!made.ok && !explained)
             result.diagnostics.push_back(
-                {"", 0, 0, "error", made.log.substr(0, made.log.find('\n'))});
+                {"", 0, 0, "error", withoutFolders(made.log.substr(0, made.log.find('\n')))});
     }
 
     const Toolchain& tools_;

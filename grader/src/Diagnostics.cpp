@@ -37,7 +37,7 @@ std::optional<Diagnostic> fromCompiler(const std::string& line) {
         return std::nullopt;
     return Diagnostic{withoutDot(match[1]), std::stoi(match[2]),
                       match[3].matched ? std::stoi(match[3]) : 0, match[4],
-                      simplified(match.suffix())};
+                      withoutFolders(simplified(match.suffix()))};
 }
 
 /// The source file that a linker means by "…/Camera.cpp.o" or "./Camera.cpp:17", and the line
@@ -117,6 +117,11 @@ std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput) {
             all.push_back(std::move(*linker));
     }
     return all;
+}
+
+std::string withoutFolders(const std::string& message) {
+    static const std::regex folders(R"((^|[\s'"(:])(?:\.{0,2}/)(?:[\w.+-]{1,255}/)*(?=[\w.+-]))");
+    return std::regex_replace(message.substr(0, kLongestLine), folders, "$1");
 }
 
 std::string sourceLine(const std::string& text, int number) {

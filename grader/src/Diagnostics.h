@@ -20,6 +20,9 @@ struct Diagnostic {
 /// Folders of the build do not appear: the same mistake gives the same text in every run.
 std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput);
 
+/// A message of a tool without the folders of the paths in it: "/usr/bin/ld: …" is "ld: …".
+std::string withoutFolders(const std::string& message);
+
 /// Line `number` (from 1) of a file's text, with tabs as spaces up to every eighth column, as the
 /// compiler counts its columns. Empty when there is no such line or it is longer than 400 bytes.
 std::string sourceLine(const std::string& text, int number);

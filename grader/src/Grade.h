@@ -55,6 +55,8 @@ public:
     const Toolchain& tools() const { return tools_; }
 
 private:
+    StageResult gradeOnce(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
+    void attributeFaults(const Manifest& manifest, std::uint64_t seed, StageResult& graded) const;
     std::vector<CheckResult> unjudged(const Manifest& manifest) const;
     void fillIn(AssignmentResult& result, const Manifest& manifest, const StageResult& graded,
                 std::uint64_t seed) const;

@@ -24,6 +24,25 @@ bool drawsOnTheCpu(const std::string& renderer) {
            renderer.find("softpipe") != std::string::npos;
 }
 
+/// What draws; or why it cannot draw frames for grading.
+std::string askForGraphics(judge::Subject& subject, const protocol::Request& request,
+                           protocol::GraphicsInfo& graphics) {
+    const protocol::Answer answer = subject.ask(request);
+    if (answer.outcome != protocol::Outcome::ok)
+        return judge::explain("OpenGL", request, answer).message;
+    try {
+        graphics = protocol::decodeGraphics(answer.payload);
+    } catch (const protocol::ProtocolError& error) {
+        return fmt::format("OpenGL: {}", error.what());
+    }
+    if (!drawsOnTheCpu(graphics.renderer))
+        return fmt::format(
+            "frames for grading must be drawn by llvmpipe or softpipe, because other "
+            "renderers give other pixels; found \"{}\"",
+            graphics.renderer);
+    return "";
+}
+
 void requireSuites(const Manifest& manifest, const std::vector<TestOutcome>& tests) {
     for (const TestOutcome& test : tests)
         if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
@@ -170,20 +189,12 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     request.timeoutMs = static_cast<std::uint32_t>(manifest.limits.frameSeconds * 1000);
     request.outputBytes = static_cast<std::uint32_t>(manifest.limits.outputKib) * 1024;
     request.kind = protocol::RequestKind::graphics;
-    const protocol::Answer graphics = subject->ask(request);
-    if (graphics.outcome != protocol::Outcome::ok) {
-        const auto verdict = judge::explain("OpenGL", request, graphics);
+    if (const std::string fault = askForGraphics(*subject, request, frames.graphics);
+        !fault.empty()) {
         for (const Frame& frame : manifest.frames)
-            frames.byId[frame.id].verdict = {Status::graderError, verdict.message};
+            frames.byId[frame.id].verdict = {Status::graderError, fault};
         return frames;
     }
-    frames.graphics = protocol::decodeGraphics(graphics.payload);
-    if (!drawsOnTheCpu(frames.graphics.renderer))
-        throw Error(
-            "frames for grading must be drawn by llvmpipe or softpipe, because other "
-            "renderers give other pixels; found \"{}\"",
-            frames.graphics.renderer);
-
     request.kind = protocol::RequestKind::frame;
     request.seed = seed;
     for (const Frame& frame : manifest.frames) {

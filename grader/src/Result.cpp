@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Fields.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -119,8 +120,17 @@ Json jsonOf(const AssignmentResult& result) {
             {"timing", result.timing}};
 }
 
-std::string dumped(const Json& json) {
-    // Text of a student's making may hold anything; what is not UTF-8 is replaced.
+/// Text of a student's making may hold anything: each text, wherever it stands, made safe to show.
+void makeHarmless(Json& json) {
+    if (json.is_string())
+        json = harmless(json.get<std::string>(), true);
+    else if (json.is_structured())
+        for (Json& each : json)
+            makeHarmless(each);
+}
+
+std::string dumped(Json json) {
+    makeHarmless(json);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

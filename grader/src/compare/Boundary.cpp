@@ -8,9 +8,9 @@ namespace grader {
 namespace {
 
 // All of it is done at half size, where the noise that drivers differ by is averaged out.
-constexpr int kFaint = 12;     // of 255: a step up to this is no boundary
-constexpr int kClear = 48;     // of 255: a step from this on is one
-constexpr int kReach = 1;      // pixels of half size, two of the picture
+constexpr int kFaint = 12;  // of 255: a step up to this is no boundary
+constexpr int kClear = 48;  // of 255: a step from this on is one
+constexpr int kReach = 1;   // pixels of half size, two of the picture
 // Of 441, the way from black to white:
 constexpr float kNoise = 9;  // gradients up to it say nothing about sharpness
 constexpr float kSomeContrast = 56, kMuchContrast = 80;  // something to be sharp about

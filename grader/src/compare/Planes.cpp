@@ -65,7 +65,8 @@ Map softened(const Map& from, int width, int height) {
     }
     for (int y = 0; y < height; ++y) {
         const auto at = [&](int line) {
-            return rows.data() + static_cast<std::ptrdiff_t>(std::clamp(line, 0, height - 1)) * width;
+            return rows.data() +
+                   static_cast<std::ptrdiff_t>(std::clamp(line, 0, height - 1)) * width;
         };
         soften(at(y - 1), at(y), at(y + 1), width,
                both.data() + static_cast<std::ptrdiff_t>(y) * width);

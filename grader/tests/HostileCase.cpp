@@ -1,0 +1,213 @@
+#include "HostileCase.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <random>
+
+#include "Error.h"
+#include "Regions.h"
+
+namespace hostile {
+
+namespace {
+
+using grader::Error;
+using grader::Fields;
+
+constexpr double kMostSeconds = 120;
+
+std::string randomWord(const std::string& prefix) {
+    std::random_device device;
+    return prefix + fmt::format("{:08x}{:08x}", device(), device());
+}
+
+Case readCase(const fs::path& folder) {
+    const fs::path file = folder / "expect.json";
+    const Json json = grader::parseJsonFile(file.string());
+    Fields fields(json, file.string());
+    Case attack;
+    attack.folder = folder;
+    attack.name = folder.filename().string();
+    attack.about = fields.get<std::string>("about");
+    attack.assignment = fields.get<std::string>("assignment");
+    attack.mostPoints = fields.get<double>("most_points");
+    const Json verdict = fields.get<Json>("verdict");
+    if (verdict.is_string())
+        attack.verdicts = {verdict.get<std::string>()};
+    else
+        attack.verdicts = verdict.get<std::set<std::string>>();
+    attack.file = fields.get<std::string>("file", "");
+    attack.region = fields.get<std::string>("region", "");
+    attack.says = fields.get<std::string>("says", "");
+    using Texts = std::vector<std::string>;
+    attack.hides = fields.get<Texts>("hides", {});
+    attack.escapes = fields.get<Texts>("escapes", {});
+    attack.startsNoLine = fields.get<Texts>("starts_no_line", {});
+    attack.ignored = fields.get<Texts>("ignored", {});
+    fields.done();
+    return attack;
+}
+
+/// "body.cpp" in place of the region of a .cpp file or header, "body.frag" of a shader.
+std::string partOf(const Case& attack, const std::string& part) {
+    const std::string ending = attack.file.ends_with(".frag") ? ".frag" : ".cpp";
+    const fs::path file = attack.folder / (part + ending);
+    return fs::exists(file) ? grader::readFile(file) : "";
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// The gravest status among the checks of a task, or of all tasks where `task` is empty.
+std::string gravest(const Json& document, const std::string& task) {
+    if (document.at("status") != "graded")
+        return document.at("status");
+    for (const char* status : {"grader_error", "tampered", "crash", "timeout", "memory", "output",
+                               "fail", "partial", "not_implemented", "skipped"})
+        for (const Json& each : document.at("tasks"))
+            if (task.empty() || each.at("id") == task)
+                for (const Json& check : each.at("checks"))
+                    if (check.at("status") == status)
+                        return status;
+    return "pass";
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+std::vector<Case> readCases(const fs::path& home, const std::string& only) {
+    std::vector<Case> cases;
+    for (const auto& entry : fs::directory_iterator(home))
+        if (entry.is_directory() && holds(entry.path().filename().string(), only))
+            cases.push_back(readCase(entry.path()));
+    std::sort(cases.begin(), cases.end(),
+              [](const Case& a, const Case& b) { return a.name < b.name; });
+    if (cases.empty())
+        throw Error("{} has no case with \"{}\" in its name", home.string(), only);
+    return cases;
+}
+
+World::World() {
+    secrets_ = {randomWord("secret_beside_"), randomWord("secret_of_the_neighbour_"),
+                randomWord("secret_of_the_environment_")};
+    fs::permissions(folder(), fs::perms(0755));
+    grader::writeFile(folder() / "secret.txt", secrets_[0] + "\n");
+    const std::string file = "06-rotation/rotation.cpp";
+    grader::writeFile(folder() / "neighbour" / file,
+                      "// " + secrets_[1] + "\n#error " + secrets_[1] + "\n" + honest_.read(file));
+    setenv("TOKEN_OF_THE_GRADER", secrets_[2].c_str(), 1);
+}
+
+std::string World::filled(std::string text) const {
+    replaceAll(text, "@ROOT@", lab::root().string());
+    replaceAll(text, "@SECRET@", (folder() / "secret.txt").string());
+    replaceAll(text, "@SIBLING@", (folder() / "neighbour").string());
+    return text;
+}
+
+fs::path World::prepare(const Case& attack, const fs::path& target) const {
+    fs::create_directories(target);
+    fs::copy(honest() / attack.assignment, target / attack.assignment, fs::copy_options::recursive);
+    if (!attack.file.empty()) {
+        const fs::path file = target / attack.assignment / attack.file;
+        std::string text = grader::readFile(file);
+        if (!attack.region.empty()) {
+            const auto put =
+                grader::withRegion(text, attack.region, filled(partOf(attack, "body")));
+            if (!put)
+                throw Error("{}: {} has no region \"{}\"", attack.folder.string(), attack.file,
+                            attack.region);
+            text = *put;
+        }
+        grader::writeFile(file, filled(partOf(attack, "top")) + text);
+    }
+    if (const fs::path script = attack.folder / "make.sh"; fs::exists(script)) {
+        const auto made = grader::run(
+            {"bash", "-ec", "cd \"$0\"\n" + filled(grader::readFile(script)), target.string()},
+            30.0);
+        if (!made.succeeded())
+            throw Error("{} failed: {}", script.string(), made.output);
+    }
+    return target;
+}
+
+Outcome gradeFolder(const fs::path& submission, const std::string& assignment,
+                    const std::string& task, const World& world, const Case* expected) {
+    const lab::WorkFolder out;
+    const auto start = std::chrono::steady_clock::now();
+    const auto ran = grader::run(
+        {COURSE_GRADER, assignment, "--submission", submission.string(), "--json",
+         (out.path() / "result.json").string(), "--report", (out.path() / "report").string()},
+        kMostSeconds);
+    Outcome outcome;
+    outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto fault = [&](std::string text) { outcome.faults.push_back(std::move(text)); };
+    if (ran.timedOut || (ran.exitCode != 0 && ran.exitCode != 1)) {
+        outcome.verdict = ran.timedOut ? "hangs" : fmt::format("exit code {}", ran.exitCode);
+        fault("the grader itself failed: " + ran.output.substr(0, 500));
+        return outcome;
+    }
+    const std::string json = grader::readFile(out.path() / "result.json");
+    const std::string page = grader::readFile(out.path() / "report/index.html");
+    outcome.document = Json::parse(json);
+    outcome.document.erase("timing");
+    outcome.points = outcome.document.at("points");
+    outcome.verdict = gravest(outcome.document, task);
+    const std::pair<const char*, const std::string&> shown[] = {
+        {"terminal", ran.output}, {"result", json}, {"page", page}};
+    for (const std::string& secret : world.secrets())
+        for (const auto& [where, text] : shown)
+            if (holds(text, secret))
+                fault(fmt::format("a secret is in the {}", where));
+    if (gravest(outcome.document, "") == "grader_error")
+        fault("it is called the grader's own fault");
+    if (!expected)
+        return outcome;
+    for (const std::string& hidden : expected->hides)
+        for (const auto& [where, text] : shown)
+            if (holds(text, hidden))
+                fault(fmt::format("\"{}\" is in the {}", hidden, where));
+    for (const std::string& text : expected->escapes)
+        if (holds(page, text))
+            fault("\"" + text + "\" stands in the page as it is");
+    for (const std::string& text : expected->startsNoLine)
+        if (holds("\n" + ran.output, "\n" + text))
+            fault("a line of the terminal begins with \"" + text + "\"");
+    if (!holds(json, expected->says))
+        fault("it does not say \"" + expected->says + "\"");
+    for (const std::string& name : expected->ignored)
+        if (const Json& ignored = outcome.document.at("ignored_files");
+            std::find(ignored.begin(), ignored.end(), name) == ignored.end())
+            fault(name + " is not named as ignored");
+    return outcome;
+}
+
+Outcome tryCase(const Case& attack, const World& world) {
+    const lab::WorkFolder work;
+    fs::permissions(work.path(), fs::perms(0755));
+    const fs::path submission = world.prepare(attack, work.path() / "submission");
+    Outcome outcome = gradeFolder(submission, attack.assignment, attack.region, world, &attack);
+    if (!attack.verdicts.contains(outcome.verdict))
+        outcome.faults.push_back(fmt::format("expected {}, got {}",
+                                             fmt::join(attack.verdicts, " or "), outcome.verdict));
+    if (outcome.points > attack.mostPoints + 1e-9)
+        outcome.faults.push_back(
+            fmt::format("earns {:g}, at most {:g} expected", outcome.points, attack.mostPoints));
+    return outcome;
+}
+
+Outcome tryHonest(const std::string& assignment, const World& world) {
+    Outcome outcome = gradeFolder(world.honest(), assignment, "", world, nullptr);
+    if (outcome.verdict != "pass")
+        outcome.faults.push_back("an honest submission lost points: " + outcome.verdict);
+    return outcome;
+}
+
+}  // namespace hostile

@@ -1,0 +1,3 @@
+#include <cstdlib>
+#include <fstream>
+#include <filesystem>

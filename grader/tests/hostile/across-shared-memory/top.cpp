@@ -1,0 +1,5 @@
+#include <fcntl.h>
+#include <mqueue.h>
+#include <sys/mman.h>
+#include <sys/shm.h>
+#include <sys/sem.h>

@@ -1,0 +1,1 @@
+#define main forged_main

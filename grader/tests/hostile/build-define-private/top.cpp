@@ -1,0 +1,3 @@
+#define private public
+#define class struct
+#include <sstream>

@@ -1,0 +1,3 @@
+#if __has_include("@SECRET@")
+#error it is there
+#endif

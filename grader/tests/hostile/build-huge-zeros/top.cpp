@@ -1,0 +1,2 @@
+char huge[1ull << 40];
+char* hold = huge;

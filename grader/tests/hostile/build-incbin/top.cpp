@@ -1,0 +1,1 @@
+asm(".section .rodata\n.global stolen\nstolen: .incbin \"@SECRET@\"\n.text\n");

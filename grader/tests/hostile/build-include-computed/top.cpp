@@ -1,0 +1,3 @@
+#define NAME "@SECRET@"
+#define OTHER NAME
+#include OTHER

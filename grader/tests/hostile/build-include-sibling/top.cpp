@@ -1,0 +1,1 @@
+#include "@SIBLING@/06-rotation/rotation.cpp"

@@ -1,0 +1,1 @@
+head -c 10000 /dev/urandom > 06-rotation/rotation.cpp

@@ -1,0 +1,2 @@
+cd 06-rotation
+mkdir -p "$(seq -s / 1 200)"

@@ -1,0 +1,1 @@
+: > 06-rotation/rotation.cpp

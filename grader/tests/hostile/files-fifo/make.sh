@@ -1,0 +1,2 @@
+rm 06-rotation/rotation.cpp
+mkfifo 06-rotation/rotation.cpp

@@ -1,0 +1,2 @@
+rm 06-rotation/rotation.cpp
+mkdir 06-rotation/rotation.cpp

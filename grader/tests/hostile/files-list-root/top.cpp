@@ -1,0 +1,5 @@
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <filesystem>

@@ -1,0 +1,3 @@
+std::ifstream file("/etc/shadow");
+const std::string text(std::istreambuf_iterator<char>(file), {});
+throw std::runtime_error("it says: " + text);

@@ -1,0 +1,4 @@
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>

@@ -1,0 +1,3 @@
+#include <fstream>
+#include <filesystem>
+static int calls = 0;

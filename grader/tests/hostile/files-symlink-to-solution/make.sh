@@ -1,0 +1,2 @@
+rm 06-rotation/rotation.cpp
+ln -s @ROOT@/solutions/06-rotation/rotation.cpp 06-rotation/rotation.cpp

@@ -1,0 +1,2 @@
+rm 06-rotation/rotation.cpp
+ln -s @SECRET@ 06-rotation/rotation.cpp

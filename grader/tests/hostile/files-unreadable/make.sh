@@ -1,0 +1,1 @@
+chmod 000 06-rotation/rotation.cpp

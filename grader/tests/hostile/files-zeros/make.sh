@@ -1,0 +1,1 @@
+printf '\0\0\0' >> 06-rotation/rotation.cpp

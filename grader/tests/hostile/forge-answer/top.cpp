@@ -1,0 +1,6 @@
+#include <signal.h>
+#include <unistd.h>
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+#include <cstdint>

@@ -1,0 +1,5 @@
+#include <signal.h>
+#include <unistd.h>
+#include <cstdlib>
+#include <stdexcept>
+#include <cstdint>

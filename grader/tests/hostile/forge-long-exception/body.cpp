@@ -1,0 +1,1 @@
+throw std::runtime_error(std::string(10 << 20, 'A'));

@@ -1,0 +1,2 @@
+#include <stdexcept>
+#include <string>

@@ -1,0 +1,2 @@
+mark();
+std::longjmp(place, 1);

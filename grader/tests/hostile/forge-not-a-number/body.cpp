@@ -1,0 +1,1 @@
+return glm::mat3(std::numeric_limits<float>::quiet_NaN()) * std::numeric_limits<float>::infinity();

@@ -1,0 +1,2 @@
+extern "C" void glReadPixels(...) {}
+extern "C" void glDrawElements(...) {}

@@ -1,0 +1,1 @@
+std::quick_exit(0);

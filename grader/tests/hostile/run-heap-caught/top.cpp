@@ -1,0 +1,3 @@
+#include <new>
+#include <vector>
+std::vector<std::vector<char>> all;

@@ -1,0 +1,1 @@
+for (;;) all.emplace_back(1 << 20, 1);

@@ -1,0 +1,2 @@
+#include <vector>
+std::vector<std::vector<char>> all;

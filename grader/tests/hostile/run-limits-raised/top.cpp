@@ -1,0 +1,3 @@
+#include <sys/resource.h>
+#include <vector>
+std::vector<std::vector<char>> all;

@@ -1,0 +1,2 @@
+volatile int* p = nullptr;
+return glm::mat3(float(*p));

@@ -1,0 +1,2 @@
+#include <sched.h>
+#include <sys/resource.h>

@@ -1,0 +1,1 @@
+return glm::mat3(float(deeper(0)));

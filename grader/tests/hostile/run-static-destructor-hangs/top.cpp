@@ -1,0 +1,1 @@
+struct Hang { ~Hang() { for (volatile int i = 0;; i = 1 - i) {} } } hang;

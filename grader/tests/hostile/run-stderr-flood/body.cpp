@@ -1,0 +1,1 @@
+for (;;) std::cerr << "a line that is printed without end\n";

@@ -1,0 +1,1 @@
+for (;;) std::cout << "a line that is printed without end\n";

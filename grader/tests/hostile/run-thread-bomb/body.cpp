@@ -1,0 +1,1 @@
+for (;;) std::thread([] { for (;;) std::this_thread::yield(); }).detach();

@@ -1,0 +1,3 @@
+void main() {
+    if (canvas_coord.x > 1000.0) fragColor = vec4(float(iterate(canvas_coord)));
+}

@@ -1,0 +1,2 @@
+#version 450
+vec2 cprod(vec2 a, vec2 b) { return a; }
