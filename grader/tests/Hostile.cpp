@@ -1,8 +1,6 @@
 // Grades submissions that attack (grader/tests/hostile/), and an honest one after each, which must
-// get full marks and the same result document as ever. One after the other it makes the
-// scoreboard; with --crowd all at once, eight at a time, in random order.
-
-#include <unistd.h>
+// get full marks and the same result document as ever. In their order they make the scoreboard;
+// with --crowd they come in random order, eight at a time.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,22 +17,24 @@ namespace {
 
 using namespace hostile;
 
-constexpr int kAtOnce = 8;
-constexpr std::size_t kHonestEvery = 8;  // of a crowd
+constexpr int kCrowd = 8;  // at a time
 
 struct Options {
     std::string only;
+    int jobs = 1;
+    std::size_t most = std::size_t(-1);
     bool crowd = false, update = false;
     unsigned order = std::random_device()();
 };
 
 const fs::path kHome = lab::root() / "grader/tests/hostile";
 
-/// What stands in the scoreboard: all but the times, which differ from run to run.
+/// A line of the scoreboard.
 std::string rowOf(const Case& attack, const Outcome& outcome) {
-    return fmt::format("| {} | {} | {} | {} | {:g} of {:g} |", attack.name, attack.about,
-                       fmt::join(attack.verdicts, ", "), outcome.verdict, outcome.points,
-                       attack.mostPoints);
+    return fmt::format("| {} | {} | {} | {}{} | {:g} (at most {:g}) | {:.0f} s |", attack.name,
+                       attack.about, fmt::join(attack.verdicts, ", "),
+                       outcome.faults.empty() ? "" : "**wrong:** ", outcome.verdict, outcome.points,
+                       attack.mostPoints, outcome.seconds);
 }
 
 class Trial {
@@ -46,33 +46,27 @@ public:
                 usual_[attack.assignment] = checkedHonest(attack.assignment).document;
     }
 
-    void oneByOne() {
-        std::string board;
-        for (const Case& attack : cases_) {
-            const Outcome outcome = tryCase(attack, world_);
-            tell(attack, outcome);
-            board += fmt::format("{} {:.0f} s |\n", rowOf(attack, outcome), outcome.seconds);
-            checkedHonest(attack.assignment);
+    void run() {
+        if (options_.crowd) {
+            std::cout << "order: " << options_.order << "\n";
+            std::shuffle(cases_.begin(), cases_.end(), std::mt19937(options_.order));
         }
-        if (options_.update)
-            writeBoard(board);
-    }
-
-    void crowd() {
-        std::cout << "order: " << options_.order << "\n";
-        std::shuffle(cases_.begin(), cases_.end(), std::mt19937(options_.order));
+        cases_.resize(std::min(cases_.size(), options_.most));
+        outcomes_.resize(cases_.size());
         std::atomic<std::size_t> next = 0;
         std::vector<std::thread> workers;
-        for (int i = 0; i < kAtOnce; ++i)
+        for (int i = 0; i < (options_.crowd ? kCrowd : options_.jobs); ++i)
             workers.emplace_back([&] {
                 for (std::size_t k = next++; k < cases_.size(); k = next++) {
-                    tell(cases_[k], tryCase(cases_[k], world_));
-                    if (k % kHonestEvery == 0)
-                        checkedHonest(cases_[k].assignment);
+                    outcomes_[k] = tryCase(cases_[k], world_);
+                    tell(cases_[k], outcomes_[k]);
+                    checkedHonest(cases_[k].assignment);
                 }
             });
         for (std::thread& each : workers)
             each.join();
+        if (options_.update)
+            writeBoard();
     }
 
     int failures() const { return failures_; }
@@ -103,21 +97,28 @@ private:
         std::cout << std::flush;
     }
 
-    void writeBoard(const std::string& rows) const {
+    void writeBoard() const {
+        std::string rows;
+        for (std::size_t k = 0; k < cases_.size(); ++k)
+            rows += rowOf(cases_[k], outcomes_[k]) + "\n";
         grader::writeFile(
             kHome / "README.md",
-            fmt::format(
-                "# Hostile submissions: the scoreboard\n\nWritten by `grading_hostile "
-                "--update`, which grades every case and an honest submission after each. "
-                "What a case is made of, and how to add one: "
-                "[SECURITY.md](../../SECURITY.md).\n\n{} cases.\n\n| case | what is tried "
-                "| verdict wanted | verdict | points | time |\n|---|---|---|---|---|---|\n{}",
-                cases_.size(), rows));
+            fmt::format("# Hostile submissions: the scoreboard\n\nWritten by `grading_hostile "
+                        "--update`, which grades every case and an honest submission after each. "
+                        "What a case is made of, and how to add one: "
+                        "[SECURITY.md](../../SECURITY.md).\n\n{} cases, {} of them green.\n\n| "
+                        "case | what is tried | verdict wanted | verdict | points | time "
+                        "|\n|---|---|---|---|---|---|\n{}",
+                        cases_.size(),
+                        std::count_if(outcomes_.begin(), outcomes_.end(),
+                                      [](const Outcome& each) { return each.faults.empty(); }),
+                        rows));
     }
 
     const Options& options_;
     World world_;
     std::vector<Case> cases_;
+    std::vector<Outcome> outcomes_;  ///< in the order of the cases
     std::map<std::string, Json> usual_;
     std::mutex mutex_;
     int failures_ = 0;
@@ -129,17 +130,16 @@ int main(int argc, char** argv) {
     Options options;
     CLI::App app("Grades submissions that attack, and an honest one after each.");
     app.add_option("--only", options.only, "only cases whose name holds this text");
-    app.add_flag("--crowd", options.crowd, "eight at a time, in random order");
-    app.add_option("--order", options.order, "number of that order");
-    app.add_flag("--update", options.update,
-                 "write the scoreboard, grader/tests/hostile/README.md");
+    app.add_option("--jobs", options.jobs, "how many at a time")->check(CLI::PositiveNumber);
+    auto* crowd = app.add_flag("--crowd", options.crowd, "eight at a time, in random order");
+    app.add_option("--order", options.order, "number of that order")->needs(crowd);
+    app.add_option("--most", options.most, "so many of the crowd")->needs(crowd);
+    app.add_flag("--update", options.update, "write the scoreboard, grader/tests/hostile/README.md")
+        ->excludes(crowd);
     CLI11_PARSE(app, argc, argv);
     try {
         Trial trial(options);
-        if (options.crowd)
-            trial.crowd();
-        else
-            trial.oneByOne();
+        trial.run();
         std::cout << trial.count() << " cases, " << trial.failures() << " failures\n";
         return trial.failures() ? 1 : 0;
     } catch (const std::exception& error) {

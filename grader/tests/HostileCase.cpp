@@ -137,74 +137,101 @@ fs::path World::prepare(const Case& attack, const fs::path& target) const {
     return target;
 }
 
-Outcome gradeFolder(const fs::path& submission, const std::string& assignment,
-                    const std::string& task, const World& world, const Case* expected) {
+namespace {
+
+/// All that a student could be shown.
+struct Shown {
+    std::string terminal, result, page;
+};
+
+/// Grades a folder by the grader's own command, as a batch does, and reads all that it wrote.
+Outcome gradeFolder(const fs::path& submission, const std::string& assignment, bool withPage,
+                    Shown& shown) {
     const lab::WorkFolder out;
+    const fs::path result = out.path() / "result.json", report = out.path() / "report";
+    std::vector<std::string> command = {COURSE_GRADER,       assignment, "--submission",
+                                        submission.string(), "--json",   result.string()};
+    if (withPage)
+        command.insert(command.end(), {"--report", report.string()});
     const auto start = std::chrono::steady_clock::now();
-    const auto ran = grader::run(
-        {COURSE_GRADER, assignment, "--submission", submission.string(), "--json",
-         (out.path() / "result.json").string(), "--report", (out.path() / "report").string()},
-        kMostSeconds);
+    const auto ran = grader::run(command, kMostSeconds);
     Outcome outcome;
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const auto fault = [&](std::string text) { outcome.faults.push_back(std::move(text)); };
+    shown.terminal = ran.output;
     if (ran.timedOut || (ran.exitCode != 0 && ran.exitCode != 1)) {
         outcome.verdict = ran.timedOut ? "hangs" : fmt::format("exit code {}", ran.exitCode);
-        fault("the grader itself failed: " + ran.output.substr(0, 500));
+        outcome.faults.push_back("the grader itself failed: " + ran.output.substr(0, 500));
         return outcome;
     }
-    const std::string json = grader::readFile(out.path() / "result.json");
-    const std::string page = grader::readFile(out.path() / "report/index.html");
-    outcome.document = Json::parse(json);
+    shown.result = grader::readFile(result);
+    if (withPage)
+        shown.page = grader::readFile(report / "index.html");
+    outcome.document = Json::parse(shown.result);
     outcome.document.erase("timing");
     outcome.points = outcome.document.at("points");
-    outcome.verdict = gravest(outcome.document, task);
-    const std::pair<const char*, const std::string&> shown[] = {
-        {"terminal", ran.output}, {"result", json}, {"page", page}};
-    for (const std::string& secret : world.secrets())
-        for (const auto& [where, text] : shown)
-            if (holds(text, secret))
-                fault(fmt::format("a secret is in the {}", where));
-    if (gravest(outcome.document, "") == "grader_error")
-        fault("it is called the grader's own fault");
-    if (!expected)
-        return outcome;
-    for (const std::string& hidden : expected->hides)
-        for (const auto& [where, text] : shown)
-            if (holds(text, hidden))
-                fault(fmt::format("\"{}\" is in the {}", hidden, where));
-    for (const std::string& text : expected->escapes)
-        if (holds(page, text))
-            fault("\"" + text + "\" stands in the page as it is");
-    for (const std::string& text : expected->startsNoLine)
-        if (holds("\n" + ran.output, "\n" + text))
-            fault("a line of the terminal begins with \"" + text + "\"");
-    if (!holds(json, expected->says))
-        fault("it does not say \"" + expected->says + "\"");
-    for (const std::string& name : expected->ignored)
-        if (const Json& ignored = outcome.document.at("ignored_files");
-            std::find(ignored.begin(), ignored.end(), name) == ignored.end())
-            fault(name + " is not named as ignored");
     return outcome;
 }
+
+/// Complaints about what a student would see.
+std::vector<std::string> complaintsAbout(const Shown& shown, const Case& attack,
+                                         const std::vector<std::string>& secrets) {
+    std::vector<std::string> complaints;
+    const std::pair<const char*, const std::string&> places[] = {
+        {"terminal", shown.terminal}, {"result", shown.result}, {"page", shown.page}};
+    for (const auto& [where, text] : places) {
+        for (const std::string& secret : secrets)
+            if (holds(text, secret))
+                complaints.push_back(fmt::format("a secret is in the {}", where));
+        for (const std::string& hidden : attack.hides)
+            if (holds(text, hidden))
+                complaints.push_back(fmt::format("\"{}\" is in the {}", hidden, where));
+    }
+    for (const std::string& text : attack.escapes)
+        if (holds(shown.page, text))
+            complaints.push_back("\"" + text + "\" stands in the page as it is");
+    for (const std::string& text : attack.startsNoLine)
+        if (holds("\n" + shown.terminal, "\n" + text))
+            complaints.push_back("a line of the terminal begins with \"" + text + "\"");
+    if (!holds(shown.result, attack.says))
+        complaints.push_back("it does not say \"" + attack.says + "\"");
+    return complaints;
+}
+
+}  // namespace
 
 Outcome tryCase(const Case& attack, const World& world) {
     const lab::WorkFolder work;
     fs::permissions(work.path(), fs::perms(0755));
     const fs::path submission = world.prepare(attack, work.path() / "submission");
-    Outcome outcome = gradeFolder(submission, attack.assignment, attack.region, world, &attack);
+    Shown shown;
+    Outcome outcome = gradeFolder(submission, attack.assignment, true, shown);
+    for (std::string& each : complaintsAbout(shown, attack, world.secrets()))
+        outcome.faults.push_back(std::move(each));
+    if (outcome.document.is_null())
+        return outcome;
+    outcome.verdict = gravest(outcome.document, attack.region);
     if (!attack.verdicts.contains(outcome.verdict))
         outcome.faults.push_back(fmt::format("expected {}, got {}",
                                              fmt::join(attack.verdicts, " or "), outcome.verdict));
+    if (gravest(outcome.document, "") == "grader_error")
+        outcome.faults.push_back("it is called the grader's own fault");
     if (outcome.points > attack.mostPoints + 1e-9)
         outcome.faults.push_back(
             fmt::format("earns {:g}, at most {:g} expected", outcome.points, attack.mostPoints));
+    const Json& ignored = outcome.document.at("ignored_files");
+    for (const std::string& name : attack.ignored)
+        if (std::find(ignored.begin(), ignored.end(), name) == ignored.end())
+            outcome.faults.push_back(name + " is not named as ignored");
     return outcome;
 }
 
 Outcome tryHonest(const std::string& assignment, const World& world) {
-    Outcome outcome = gradeFolder(world.honest(), assignment, "", world, nullptr);
+    Shown shown;
+    Outcome outcome = gradeFolder(world.honest(), assignment, false, shown);
+    if (outcome.document.is_null())
+        return outcome;
+    outcome.verdict = gravest(outcome.document, "");
     if (outcome.verdict != "pass")
         outcome.faults.push_back("an honest submission lost points: " + outcome.verdict);
     return outcome;

@@ -62,10 +62,6 @@ struct Outcome {
     Json document;                    ///< without its times
 };
 
-/// Grades a folder by the grader's own command, as a batch does, and reads all that it wrote.
-Outcome gradeFolder(const fs::path& submission, const std::string& assignment,
-                    const std::string& task, const World& world, const Case* expected);
-
 /// Grades an attack and compares with what was expected.
 Outcome tryCase(const Case& attack, const World& world);
 
