@@ -78,6 +78,10 @@ GraphicsInfo decodeGraphics(std::span<const std::uint8_t> body);
 /// Puts magic and length in front of a body.
 Bytes framed(std::uint32_t magic, const Bytes& body);
 
+/// A process that could run and got no processor is not charged for the wait, on a crowded machine:
+/// a request may take up to so many times `timeoutMs` on the clock.
+inline constexpr std::uint32_t kMostStretch = 5;
+
 enum class ReadStatus { ok, closed, late, malformed };
 
 /// Reads one message from a blocking descriptor. `deadlineMs` counts from now; negative: no limit.

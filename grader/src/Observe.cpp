@@ -15,8 +15,9 @@ namespace {
 
 using judge::Status;
 
-/// Time that a test program may take beyond what its calls are charged for.
-constexpr double kJudgeSeconds = 60.0;
+/// CPU time of a runner, and the time that a test program may take, on a crowded machine.
+constexpr int kRunnerSeconds = 60;
+constexpr double kJudgeSeconds = kRunnerSeconds * double(protocol::kMostStretch);
 
 /// Only a renderer on the CPU gives the same picture everywhere.
 bool drawsOnTheCpu(const std::string& renderer) {
@@ -116,7 +117,7 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
     confinement.environment = {"GALLIUM_DRIVER=" + renderer_.driver, "LIBGL_ALWAYS_SOFTWARE=1",
                                "LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true"};
     confinement.limits.memoryMib = manifest.limits.memoryMib;
-    confinement.limits.cpuSeconds = static_cast<int>(kJudgeSeconds);
+    confinement.limits.cpuSeconds = kRunnerSeconds;
     return sandbox_.confine(confinement, {tools_.runner().string(), build.object.string(),
                                           tools_.kit.string(), renderer_.context});
 }

@@ -42,9 +42,9 @@ protected:
         protocol::writeAll(
             channel_, protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
         protocol::Bytes body;
-        const auto status =
-            protocol::readMessage(channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
-                                  static_cast<int>(request.timeoutMs) + kGraceMs, body);
+        const auto status = protocol::readMessage(
+            channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
+            static_cast<int>(request.timeoutMs * protocol::kMostStretch) + kGraceMs, body);
         return judged(request, status, body);
     }
 
