@@ -102,10 +102,10 @@ TEST(ResultDocument, TimesStandUnderTimingAndNowhereElse) {
     EXPECT_EQ(first.dump(), second.dump());
 }
 
-TEST(ResultDocument, TextThatIsNotUtf8IsReplaced) {
+TEST(ResultDocument, TextThatIsNotUtf8OrSteersATerminalIsReplaced) {
     AssignmentResult result = sampleResult();
-    result.tasks[1].checks[1].message = "threw \xff\x1b[2J";
-    EXPECT_EQ(documentOf(result)["tasks"][1]["checks"][1]["message"], "threw \uFFFD\x1b[2J");
+    result.tasks[1].checks[1].message = "threw \xff\x1b[2J \u202egnp\nagain";
+    EXPECT_EQ(documentOf(result)["tasks"][1]["checks"][1]["message"], "threw ? [2J  gnp\nagain");
 }
 
 TEST(ResultDocument, SumsOfThirdsHaveNoNoise) {

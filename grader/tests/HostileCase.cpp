@@ -66,7 +66,7 @@ std::string gravest(const Json& document, const std::string& task) {
     if (document.at("status") != "graded")
         return document.at("status");
     for (const char* status : {"grader_error", "tampered", "crash", "timeout", "memory", "output",
-                               "fail", "partial", "not_implemented", "skipped"})
+                               "build_error", "fail", "partial", "not_implemented", "skipped"})
         for (const Json& each : document.at("tasks"))
             if (task.empty() || each.at("id") == task)
                 for (const Json& check : each.at("checks"))
