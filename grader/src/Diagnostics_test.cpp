@@ -227,4 +227,13 @@ TEST(Hints, ComeForWhatTheCompilerReallyPrints) {
     EXPECT_THAT(hintFor(all[1]), HasSubstr("semicolon")) << output;
 }
 
+TEST(Diagnostics, FoldersAreNobodysBusiness) {
+    EXPECT_EQ(withoutFolders("/usr/bin/ld: /tmp/course-1/out/a.o: cannot open ../x/y.cpp"),
+              "ld: a.o: cannot open y.cpp");
+    EXPECT_EQ(withoutFolders("a / b, 1/2 and 'cg/Todo.h'"), "a / b, 1/2 and 'cg/Todo.h'");
+    const auto found = parseDiagnostics("a.cpp:1:2: fatal error: /root/b.h: No such file\n");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].message, "b.h: No such file");
+}
+
 }  // namespace
