@@ -23,6 +23,7 @@
 #include "Grade.h"
 #include "ImageModule.h"
 #include "Process.h"
+#include "bench/Median.h"
 
 namespace {
 
@@ -163,11 +164,6 @@ private:
     Stage stage_;
     int edits_ = 0;
 };
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 double medianOf(const std::vector<Cost>& costs, double Cost::*member) {
     std::vector<double> values;

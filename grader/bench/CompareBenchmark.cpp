@@ -12,6 +12,7 @@
 #include "Files.h"
 #include "ImageModule.h"
 #include "Process.h"
+#include "bench/Median.h"
 #include "compare/FrameScore.h"
 #include "compare_tests/Pictures.h"
 
@@ -23,11 +24,6 @@ double cpuOf(const std::function<void()>& work) {
     const double before = cpuSeconds();
     work();
     return cpuSeconds() - before;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 struct Row {

@@ -16,10 +16,6 @@ constexpr float kNoise = 9;  // gradients up to it say nothing about sharpness
 constexpr float kSomeContrast = 56, kMuchContrast = 80;  // something to be sharp about
 constexpr int kBlock = 8;  // pixels of quarter size: as far as a blur may reach
 
-std::uint8_t away(std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(a > b ? a - b : b - a);
-}
-
 /// Largest step of any channel to the neighbour `shift` pixels on, for `count` pixels.
 void raise(const Planes& planes, std::size_t first, std::size_t shift, int count, Map& steps) {
     for (const Map& channel : planes.channel) {

@@ -19,10 +19,6 @@ const std::array<float, 256>& errors() {
     return table;
 }
 
-std::uint8_t away(std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b));
-}
-
 /// Lowers `least[i]` to the difference of a[i] and b[i + shift], and `back[i + shift]` likewise,
 /// for `count` pixels from index `first` on.
 void lower(const Planes& a, const Planes& b, std::size_t first, std::ptrdiff_t shift, int count,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "compare/Picture.h"
@@ -19,6 +21,11 @@ Planes planesOf(const Picture& picture);
 
 /// 8-bit values per pixel, row 0 at the top.
 using Map = std::vector<std::uint8_t>;
+
+/// How far two values are away from each other.
+inline std::uint8_t away(std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b));
+}
 
 /// Half the width and height (rounded up), each pixel the mean of its neighbourhood with the
 /// binomial weights 1 4 6 4 1 in both directions. Smooth: a small shift changes it a little.
