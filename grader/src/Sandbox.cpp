@@ -167,7 +167,8 @@ std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine) {
     Confinement nothing;
     nothing.workingFolder = "/";
     nothing.user = user.id();
-    constexpr double kPatience = 60.0;  // a crowded machine must not pass for one without bubblewrap
+    constexpr double kPatience =
+        60.0;  // a crowded machine must not pass for one without bubblewrap
     if (run(bubblewrap->confine(nothing, {"true"}), kPatience).succeeded())
         return bubblewrap;
     return makePlainProcess(confine);
