@@ -129,13 +129,14 @@ private:
 int main(int argc, char** argv) {
     Options options;
     CLI::App app("Grades submissions that attack, and an honest one after each.");
-    app.add_option("--only", options.only, "only cases whose name holds this text");
+    auto* only = app.add_option("--only", options.only, "only cases whose name holds this text");
     app.add_option("--jobs", options.jobs, "how many at a time")->check(CLI::PositiveNumber);
     auto* crowd = app.add_flag("--crowd", options.crowd, "eight at a time, in random order");
     app.add_option("--order", options.order, "number of that order")->needs(crowd);
     app.add_option("--most", options.most, "so many of the crowd")->needs(crowd);
     app.add_flag("--update", options.update, "write the scoreboard, grader/tests/hostile/README.md")
-        ->excludes(crowd);
+        ->excludes(crowd)
+        ->excludes(only);
     CLI11_PARSE(app, argc, argv);
     try {
         Trial trial(options);

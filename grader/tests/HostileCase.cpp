@@ -104,6 +104,13 @@ World::World() {
     setenv("TOKEN_OF_THE_GRADER", secrets_[2].c_str(), 1);
 }
 
+bool World::isUntouched() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder()))
+        names.insert(entry.path().filename().string());
+    return names == std::set<std::string>{"secret.txt", "neighbour"};
+}
+
 std::string World::filled(std::string text) const {
     replaceAll(text, "@ROOT@", lab::root().string());
     replaceAll(text, "@SECRET@", (folder() / "secret.txt").string());
@@ -208,6 +215,8 @@ Outcome tryCase(const Case& attack, const World& world) {
     Outcome outcome = gradeFolder(submission, attack.assignment, true, shown);
     for (std::string& each : complaintsAbout(shown, attack, world.secrets()))
         outcome.faults.push_back(std::move(each));
+    if (!world.isUntouched())
+        outcome.faults.push_back("something was written beside the submission");
     if (outcome.document.is_null())
         return outcome;
     outcome.verdict = gravest(outcome.document, attack.region);

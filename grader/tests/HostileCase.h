@@ -42,6 +42,8 @@ public:
     /// Texts that must occur nowhere, and are planted beside the submission, in a neighbour's
     /// files and in the grader's environment.
     const std::vector<std::string>& secrets() const { return secrets_; }
+    /// Whether there is nothing in its folder but what it put there.
+    bool isUntouched() const;
     fs::path honest() const { return honest_.folder(); }
     fs::path folder() const { return work_.path(); }
 
