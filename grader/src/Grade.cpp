@@ -165,17 +165,14 @@ Grader::StageResult Grader::gradeOnce(const Manifest& manifest, const Stage& sta
     return result;
 }
 
-Grader::StageResult Grader::gradeFrames(const Manifest& manifest, const Stage& stage,
-                                        std::uint64_t seed) const {
+std::vector<CheckResult> Grader::gradeFrames(const Manifest& manifest, const Stage& stage,
+                                             std::uint64_t seed) const {
     const Job job;
-    StageResult result;
-    result.build = builder_.build(stage, manifest.limits, job);
-    if (!result.build.ok)
-        return result;
-    Frames frames = observer_.drawFrames(manifest, result.build, seed);
-    result.graphics = frames.graphics;
-    result.checks = judgeFrames(manifest, std::move(frames), rules(manifest, seed));
-    return result;
+    const BuildResult build = builder_.build(stage, manifest.limits, job);
+    if (!build.ok)
+        return {};
+    return judgeFrames(manifest, observer_.drawFrames(manifest, build, seed),
+                       rules(manifest, seed));
 }
 
 const FrameRules& Grader::rules(const Manifest& manifest, std::uint64_t seed) const {

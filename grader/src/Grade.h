@@ -36,7 +36,8 @@ public:
     StageResult gradeStage(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
 
     /// The frames alone; no checks when it does not build.
-    StageResult gradeFrames(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
+    std::vector<CheckResult> gradeFrames(const Manifest& manifest, const Stage& stage,
+                                         std::uint64_t seed) const;
 
     /// The frames that a stage draws; throws Error when it does not build or a frame fails.
     std::map<std::string, Picture> draw(const Manifest& manifest, const Stage& stage,

@@ -105,7 +105,7 @@ private:
 
     std::vector<CheckResult> checksOf(const Grader& grader, const Stage& stage, bool right) const {
         return right ? grader.gradeStage(manifest_, stage, kPublishedSeed).checks
-                     : grader.gradeFrames(manifest_, stage, kPublishedSeed).checks;
+                     : grader.gradeFrames(manifest_, stage, kPublishedSeed);
     }
 
     void compareChecks(const std::string& program, const CheckResult& expected,
