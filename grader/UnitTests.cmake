@@ -32,6 +32,7 @@ grader_add_unit_tests(grader_unit_tests
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp
         src/compare/FrameScore_test.cpp src/course/Course_test.cpp
+        src/doctor/Doctor_test.cpp
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp

@@ -12,13 +12,15 @@ build_packages=(
     libseccomp-dev
     libgtest-dev libgmock-dev
 )
-# To run the tests on top of that: a display without a screen, keys pressed on it, and a browser that
-# looks at the report, driven by a program of Node's.
-test_packages=(xvfb xdotool nodejs)
+# To run the tests on top of that: a display without a screen, keys pressed on it, a browser that
+# looks at the report, driven by a program of Node's, and the compiler of the fuzzers.
+test_packages=(xvfb xdotool nodejs clang)
 
 # add_machine_packages: to $test_packages, what not every machine is to get. Wants $system.
 add_machine_packages() {
     [[ $system == ubuntu* ]] || test_packages+=(chromium)
+    # libFuzzer and the sanitizers of clang; in Ubuntu 22.04 they come with the compiler.
+    [[ $system == "ubuntu 22.04" ]] || test_packages+=(libclang-rt-dev)
     # Node's packages from elsewhere bring npm along, and Debian's conflicts with them.
     command -v npm > /dev/null || test_packages+=(npm)
 }

@@ -32,7 +32,7 @@ constexpr const char* kAllowed[] = {
     "sync_file_range", "syncfs", "tee", "truncate", "umask", "unlink", "unlinkat", "utime",
     "utimensat", "utimes", "vmsplice", "write", "writev",
     // Memory
-    "brk", "madvise", "membarrier", "memfd_create", "mincore", "mlock", "mlock2", "mlockall",
+    "brk", "madvise", "membarrier", "mincore", "mlock", "mlock2", "mlockall",
     "mmap", "mprotect", "mremap", "msync", "munlock", "munlockall", "munmap", "pkey_alloc",
     "pkey_free", "pkey_mprotect", "remap_file_pages",
     // Processes, threads, signals

@@ -39,11 +39,12 @@ enum class Outcome : std::uint8_t {
     missing,    ///< the submission lacks a function that was needed; `detail` is its symbol
     shader,     ///< a shader does not compile or link; `detail` is the log, with file and line
     exception,  ///< an exception left the function; `detail` is its text
-    crash,      ///< a signal (`code`); `detail` says where, when that is known
+    crash,      ///< a signal (`code`); `detail` says where, when that is known. Without a signal
+                ///< `detail` says what it did
     exited,     ///< the code ended its process with exit status `code`
     timeout,
-    memory,
-    output,
+    memory,    ///< `detail` is the limit, when that is known
+    output,    ///< printed too much, or what `detail` says
     tampered,  ///< bytes that do not follow the protocol
     unknown,   ///< the harness has no such function or frame, or another signature
     faulty,    ///< the runner could not do its own work (no GL library, no memory to fork)

@@ -70,7 +70,7 @@ struct Codec<std::vector<T>> {
         if (in.number<std::uint8_t>() != kVectorTag + TypeTag<T>::value)
             throw ProtocolError(std::string("expected a vector of ") + TypeTag<T>::name);
         const auto count = in.number<std::uint32_t>();
-        if (count > in.left())  // every element takes at least its tag
+        if (count > in.left() / (1 + sizeof(T)))  // every element takes its tag and itself
             throw ProtocolError("a vector longer than its message");
         std::vector<T> values;
         values.reserve(count);

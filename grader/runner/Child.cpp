@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "runner/CrashReport.h"
+#include "runner/Usage.h"
 
 namespace runner {
 
@@ -29,6 +30,7 @@ using protocol::Request;
 
 constexpr std::size_t kKeptOutput = 16384;
 constexpr int kLoaderFailed = 127;  // what ld.so exits with
+constexpr int kWatchMs = 20;        // how often what the child uses is looked at
 
 struct Pipes {
     int channel[2], output[2], crash[2];
@@ -79,10 +81,8 @@ std::chrono::nanoseconds waitedForProcessor(pid_t pid) {
 /// Children that are meant to live.
 std::set<pid_t> living;
 
-/// Processes whose parent this process is, or became when theirs died (see main: subreaper).
-std::vector<pid_t> childrenOfThisProcess() {
-    std::ifstream file("/proc/self/task/" + std::to_string(getpid()) + "/children");
-    return {std::istream_iterator<pid_t>(file), std::istream_iterator<pid_t>()};
+std::string inMib(std::size_t bytes) {
+    return std::to_string(bytes / (1024 * 1024)) + " MiB";
 }
 
 /// Kills what `group` left behind: its process group, then all that was orphaned, until nothing but
@@ -159,7 +159,19 @@ Answer Child::ask(const Request& request) {
             stop(false);
             answer.outcome = Outcome::output;
             break;
+        case Event::greedy:
+            stop(false);
+            answer.outcome = Outcome::memory;
+            break;
+        case Event::crowded:
+            stop(false);
+            answer.outcome = Outcome::crash;
+            answer.detail =
+                "started more than " + std::to_string(allowance().threads) + " processes";
+            break;
     }
+    if (answer.outcome == Outcome::memory)
+        answer.detail = inMib(allowance().memoryBytes);
     answer.nonce = request.nonce;
     return answer;
 }
@@ -170,6 +182,7 @@ Child::Event Child::await(const Request& request, Bytes& body) {
     const auto start = steady_clock::now();
     const auto waitedBefore = waitedForProcessor(pid_);
     auto end = start + allowed;
+    auto nextLook = start + milliseconds(kWatchMs);
     pollfd waiting[2] = {{channel_, POLLIN, 0}, {output_, POLLIN, 0}};
     for (;;) {
         auto left = ceil<milliseconds>(end - steady_clock::now()).count();
@@ -180,8 +193,13 @@ Child::Event Child::await(const Request& request, Bytes& body) {
         }
         if (left <= 0)
             return Event::late;
-        if (poll(waiting, 2, static_cast<int>(left)) < 0)
+        if (poll(waiting, 2, static_cast<int>(std::min<long>(left, kWatchMs))) < 0)
             continue;
+        if (steady_clock::now() >= nextLook) {
+            if (const auto excess = excessOfUse())
+                return *excess;
+            nextLook = steady_clock::now() + milliseconds(kWatchMs);
+        }
         if (waiting[1].revents & (POLLIN | POLLHUP))
             drainOutput();
         if (waiting[1].revents & POLLHUP)
@@ -206,6 +224,20 @@ Child::Event Child::await(const Request& request, Bytes& body) {
         drainOutput();
         return printedBytes_ > request.outputBytes ? Event::flooded : Event::answered;
     }
+}
+
+std::optional<Child::Event> Child::excessOfUse() const {
+    std::vector<pid_t> others;
+    std::copy_if(living.begin(), living.end(), std::back_inserter(others),
+                 [this](pid_t pid) { return pid != pid_; });
+    const Usage used = usageWithout(others);
+    const Allowance allowed = allowance();
+    if (used.memoryBytes > allowed.memoryBytes)
+        return Event::greedy;
+    constexpr std::size_t kOwnThreads = 2;  // this process, and bubblewrap's where it waits
+    if (used.threads + kOwnThreads >= allowed.threads)
+        return Event::crowded;
+    return std::nullopt;
 }
 
 void Child::drainOutput() {
@@ -265,6 +297,11 @@ Answer Child::explainEnd(int waitStatus) {
     if (WIFSIGNALED(waitStatus)) {
         answer.outcome = Outcome::crash;
         answer.code = WTERMSIG(waitStatus);
+        if (answer.code == SIGXFSZ) {
+            answer.outcome = Outcome::output;
+            answer.detail = "wrote a file larger than " + inMib(allowance().fileBytes);
+            return answer;
+        }
         std::vector<std::uint64_t> offsets(64);
         const ssize_t got = read(crash_, offsets.data(), offsets.size() * sizeof offsets[0]);
         offsets.resize(got > 0 ? static_cast<std::size_t>(got) / sizeof offsets[0] : 0);

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 
 #include "protocol/Message.h"
@@ -27,9 +28,11 @@ public:
     bool alive() const { return pid_ > 0; }
 
 private:
-    enum class Event { answered, closed, late, flooded };
+    enum class Event { answered, closed, late, flooded, greedy, crowded };
 
     Event await(const protocol::Request& request, protocol::Bytes& body);
+    /// Whether the child and all that it started use more together than one process may.
+    std::optional<Event> excessOfUse() const;
     void drainOutput();
     /// Kills the child with all it started, and reaps it. Returns the status of waitpid.
     int stop(bool letItEnd);

@@ -94,7 +94,7 @@ std::string locateCrash(const std::string& objectPath, const std::vector<std::ui
     if (offsets.empty())
         return {};
     std::ostringstream command;
-    command << "addr2line -C -f -e " << shellQuoted(objectPath);
+    command << "addr2line -C -f -i -e " << shellQuoted(objectPath);
     for (const std::uint64_t offset : offsets)
         command << " 0x" << std::hex << offset - 1;  // a return address is one past its call
     command << " 2>/dev/null";

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <future>
 #include <map>
-#include <regex>
-#include <sstream>
 
 #include "Error.h"
+#include "Includes.h"
 #include "ObjectCache.h"
 #include "Process.h"
 
@@ -20,28 +19,6 @@ constexpr std::size_t kLongestLog = 256 * 1024;
 bool isHeader(const std::string& name) {
     const std::string kind = fs::path(name).extension().string();
     return kind == ".h" || kind == ".hpp" || kind == ".inl";
-}
-
-/// Whether every file that this text can bring in is a header, as far as can be told without a
-/// preprocessor: no other name is included, and none is made up or hidden.
-bool includesOnlyHeaders(const std::string& text) {
-    if (text.find("\\\n") != std::string::npos || text.find("%:") != std::string::npos ||
-        text.find("??") != std::string::npos || text.find("incbin") != std::string::npos ||
-        text.find("__has_include") != std::string::npos)
-        return false;
-    static const std::regex plain(R"re(#[ \t]*include[ \t]*(<[^>]*>|"[^"]*\.(h|hpp|inl)").*)re");
-    constexpr std::size_t kLongestDirective = 1000;  // the regular expression recurses
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        const auto hash = line.find('#');
-        const bool directive =
-            hash != std::string::npos && (line.find("include", hash) != std::string::npos ||
-                                          line.find("import", hash) != std::string::npos);
-        if (directive &&
-            (line.size() > kLongestDirective || !std::regex_match(line.substr(hash), plain)))
-            return false;
-    }
-    return true;
 }
 
 /// What one command made of its input.

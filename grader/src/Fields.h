@@ -127,5 +127,7 @@ private:
 
 /// Parses a file of JSON; syntax errors name the file and the place.
 Json parseJsonFile(const std::string& path);
+/// The same from the file's text.
+Json parseJson(const std::string& text, const std::string& path);
 
 }  // namespace grader

@@ -125,12 +125,16 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
 
 }  // namespace
 
-Json parseJsonFile(const std::string& path) {
+Json parseJson(const std::string& text, const std::string& path) {
     try {
-        return Json::parse(readFile(path));
+        return Json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         throw Error("{}: not JSON: {}", path, error.what());
     }
+}
+
+Json parseJsonFile(const std::string& path) {
+    return parseJson(readFile(path), path);
 }
 
 std::string Task::suite() const {
@@ -180,8 +184,12 @@ double Frame::pointsOf(const std::string& taskId) const {
 }
 
 Manifest Manifest::load(const fs::path& folder) {
+    return parse(readFile(folder / "assignment.json"), folder);
+}
+
+Manifest Manifest::parse(const std::string& text, const fs::path& folder) {
     const std::string file = (folder / "assignment.json").string();
-    const Json json = parseJsonFile(file);
+    const Json json = parseJson(text, file);
     Fields fields(json, file);
     if (const int format = fields.get<int>("format"); format != kFormat)
         throw Error("{}: field \"format\": expected {}, found {}: this grader reads no other", file,

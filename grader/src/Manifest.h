@@ -64,6 +64,8 @@ struct Manifest {
 
     /// Throws Error for anything that FORMAT.md does not allow.
     static Manifest load(const fs::path& folder);
+    /// The same from the text of folder/assignment.json.
+    static Manifest parse(const std::string& text, const fs::path& folder);
 };
 
 /// Ids of all assignments below `root`/assignments, in order. Throws Error when there is none.

@@ -180,6 +180,23 @@ std::vector<TestOutcome> Observer::listTests(const Manifest& manifest) const {
     return tests;
 }
 
+protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
+    BuildResult nothing;
+    nothing.stage = job.work.path() / "stage";
+    nothing.object = nothing.stage / "none.so";
+    nothing.user = job.user.id();
+    fs::create_directories(nothing.stage);
+    shareWithSandbox(nothing.stage, nothing.user, false);
+    const auto subject = judge::startSubject(runnerCommand({}, nothing));
+    protocol::Request request;
+    request.timeoutMs = 10000;
+    request.kind = protocol::RequestKind::graphics;
+    protocol::GraphicsInfo graphics;
+    if (const std::string fault = askForGraphics(*subject, request, graphics); !fault.empty())
+        throw Error("{}", fault);
+    return graphics;
+}
+
 Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
                             std::uint64_t seed) const {
     Frames frames;

@@ -58,6 +58,9 @@ public:
     /// Draws all frames of the manifest, in one process.
     Frames drawFrames(const Manifest& manifest, const BuildResult& build, std::uint64_t seed) const;
 
+    /// What would draw; runs no submission. Throws Error that says why nothing does.
+    protocol::GraphicsInfo describeGraphics(const Job& job) const;
+
     /// The tests there are, none of them run. Throws Error when there is no test program.
     std::vector<TestOutcome> listTests(const Manifest& manifest) const;
 

@@ -21,6 +21,8 @@ using Command = std::vector<std::string>;
 
 constexpr unsigned kNobody = 65534;  // as whom a program sees itself in its namespace
 
+constexpr const char* kTmpfsBytes = "67108864";  // of /tmp, and as much of /dev/shm
+
 /// Users without a name; Debian keeps these numbers free.
 constexpr unsigned kFirstJobUser = 65000, kJobUsers = 500;
 
@@ -100,7 +102,13 @@ public:
                      "--dev",
                      "/dev",
                      "--size",
-                     "67108864",
+                     kTmpfsBytes,
+                     "--tmpfs",
+                     "/dev/shm",
+                     "--remount-ro",
+                     "/dev",
+                     "--size",
+                     kTmpfsBytes,
                      "--tmpfs",
                      "/tmp",
                      "--ro-bind",
@@ -167,9 +175,7 @@ std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine) {
     Confinement nothing;
     nothing.workingFolder = "/";
     nothing.user = user.id();
-    constexpr double kPatience =
-        60.0;  // a crowded machine must not pass for one without bubblewrap
-    if (run(bubblewrap->confine(nothing, {"true"}), kPatience).succeeded())
+    if (run(bubblewrap->confine(nothing, {"true"}), kSandboxPatience).succeeded())
         return bubblewrap;
     return makePlainProcess(confine);
 }

@@ -52,6 +52,9 @@ std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine);
 /// user can read, and see other processes.
 std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine);
 
+/// How long a sandbox may take to start: a crowded machine must not pass for one without any.
+inline constexpr double kSandboxPatience = 60.0;
+
 /// Bubblewrap where it works, else a plain process.
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine);
 

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "Error.h"
@@ -52,6 +53,14 @@ void openToOthers(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string cpuModel() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            return line.substr(line.find(':') + 2);
+    return "unknown";
+}
 
 std::string fingerprintOf(const fs::path& kit) {
     std::string text = kit.string();

@@ -31,6 +31,9 @@ struct Toolchain {
     static Toolchain load();
 };
 
+/// The processor's name for itself; "unknown" where it has none.
+std::string cpuModel();
+
 /// Changes whenever a file of the kit that a subject is built from does.
 std::string fingerprintOf(const fs::path& kit);
 

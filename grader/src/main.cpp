@@ -7,6 +7,7 @@
 #include "commands/CompareCommand.h"
 #include "commands/CourseCommands.h"
 #include "commands/DeveloperCommands.h"
+#include "commands/DoctorCommand.h"
 #include "commands/GradeCommand.h"
 
 namespace {
@@ -39,12 +40,12 @@ int main(int argc, char** argv) {
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
+    grader::addDoctorCommand(app, exitCode);
     grader::addWindowCommand(app, exitCode);
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
-    grader::addCheckDriversCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));

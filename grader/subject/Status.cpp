@@ -80,6 +80,8 @@ Verdict explain(const std::string& what, const protocol::Request& request,
         case Outcome::exception:
             return {Status::crash, fmt::format("{} threw an exception: {}", what, detail)};
         case Outcome::crash:
+            if (answer.code == 0)
+                return {Status::crash, fmt::format("{} {}", what, detail)};
             return {Status::crash,
                     fmt::format("{} crashed{} with {}", what, place, signalName(answer.code))};
         case Outcome::exited:
@@ -94,8 +96,11 @@ Verdict explain(const std::string& what, const protocol::Request& request,
                                                  "that never ends",
                                                  what, request.timeoutMs / 1000.0)};
         case Outcome::memory:
-            return {Status::memory, what + " asked for more memory than it may have"};
+            return {Status::memory, fmt::format("{} asked for more memory than it may have{}", what,
+                                                detail.empty() ? "" : " (" + detail + ")")};
         case Outcome::output:
+            if (!detail.empty())
+                return {Status::output, fmt::format("{} {}", what, detail)};
             return {Status::output,
                     fmt::format("{} printed more than {} KiB", what, request.outputBytes / 1024)};
         case Outcome::tampered:

@@ -83,10 +83,16 @@ TEST(Explain, LeavingWithSuccessIsTamperingAndWithFailureACrash) {
 TEST(Explain, LimitsAreNamed) {
     EXPECT_EQ(explained(Outcome::timeout).status, Status::timeout);
     EXPECT_THAT(explained(Outcome::timeout).message, HasSubstr("within 2.5 s"));
-    EXPECT_EQ(explained(Outcome::memory).status, Status::memory);
-    EXPECT_THAT(explained(Outcome::memory).message, HasSubstr("more memory"));
+    const Verdict memory = explained(Outcome::memory, 0, "1024 MiB");
+    EXPECT_EQ(memory.status, Status::memory);
+    EXPECT_THAT(memory.message, HasSubstr("more memory than it may have (1024 MiB)"));
     EXPECT_EQ(explained(Outcome::output).status, Status::output);
     EXPECT_THAT(explained(Outcome::output).message, HasSubstr("more than 64 KiB"));
+    const Verdict file = explained(Outcome::output, 0, "wrote a file larger than 256 MiB");
+    EXPECT_EQ(file.message, "turn wrote a file larger than 256 MiB");
+    const Verdict crowd = explained(Outcome::crash, 0, "started more than 64 processes");
+    EXPECT_EQ(crowd.status, Status::crash);
+    EXPECT_EQ(crowd.message, "turn started more than 64 processes");
 }
 
 TEST(Explain, TamperingSaysWhat) {

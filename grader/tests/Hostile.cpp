@@ -1,10 +1,13 @@
 // Grades submissions that attack (grader/tests/hostile/), and an honest one after each, which must
 // get full marks and the same result document as ever. In their order they make the scoreboard;
-// with --crowd they come in random order, eight at a time.
+// with --crowd they come in random order, eight at a time, and what follows each is one and the
+// same half-right submission, which must earn the same parts of its points every time. At the end
+// no process of a submission may be left.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <iostream>
 #include <mutex>
 #include <random>
@@ -18,6 +21,7 @@ namespace {
 using namespace hostile;
 
 constexpr int kCrowd = 8;  // at a time
+const std::string kHalfRightOne = "half-right " + kHalfRight;
 
 struct Options {
     std::string only;
@@ -43,7 +47,9 @@ public:
         : options_(options), cases_(readCases(kHome, options.only)) {
         for (const Case& attack : cases_)
             if (!usual_.contains(attack.assignment))
-                usual_[attack.assignment] = checkedHonest(attack.assignment).document;
+                usual_[attack.assignment] =
+                    checked(attack.assignment, tryHonest(attack.assignment, world_));
+        usual_[kHalfRightOne] = checked(kHalfRightOne, tryHalfRight(world_));
     }
 
     void run() {
@@ -60,29 +66,48 @@ public:
                 for (std::size_t k = next++; k < cases_.size(); k = next++) {
                     outcomes_[k] = tryCase(cases_[k], world_);
                     tell(cases_[k], outcomes_[k]);
-                    checkedHonest(cases_[k].assignment);
+                    if (options_.crowd)
+                        checked(kHalfRightOne, tryHalfRight(world_));
+                    else
+                        checked(cases_[k].assignment, tryHonest(cases_[k].assignment, world_));
                 }
             });
         for (std::thread& each : workers)
             each.join();
+        lookForSurvivors();
         if (options_.update)
             writeBoard();
     }
 
     int failures() const { return failures_; }
     std::size_t count() const { return cases_.size(); }
+    int honestResults() const { return honestResults_; }
 
 private:
-    Outcome checkedHonest(const std::string& assignment) {
-        Outcome outcome = tryHonest(assignment, world_);
-        if (usual_.contains(assignment) && outcome.document != usual_.at(assignment))
-            outcome.faults.push_back("the honest submission's result is another than before");
+    /// The result of an honest submission, which must be the same as ever.
+    Json checked(const std::string& name, Outcome outcome) {
+        if (usual_.contains(name) && outcome.document != usual_.at(name))
+            outcome.faults.push_back("its result is another than before");
         const std::scoped_lock lock(mutex_);
+        ++honestResults_;
         for (const std::string& each : outcome.faults) {
             ++failures_;
-            std::cout << "✗ honest " << assignment << ": " << each << "\n";
+            std::cout << "✗ honest " << name << ": " << each << "\n";
         }
-        return outcome;
+        return outcome.document;
+    }
+
+    /// What was killed may take a moment to be gone.
+    void lookForSurvivors() {
+        std::vector<std::string> left = survivors();
+        for (int tenths = 0; tenths < 30 && !left.empty(); ++tenths) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            left = survivors();
+        }
+        for (const std::string& each : left) {
+            ++failures_;
+            std::cout << "✗ still there: " << each << "\n";
+        }
     }
 
     void tell(const Case& attack, const Outcome& outcome) {
@@ -121,7 +146,7 @@ private:
     std::vector<Outcome> outcomes_;  ///< in the order of the cases
     std::map<std::string, Json> usual_;
     std::mutex mutex_;
-    int failures_ = 0;
+    int failures_ = 0, honestResults_ = 0;
 };
 
 }  // namespace
@@ -141,7 +166,8 @@ int main(int argc, char** argv) {
     try {
         Trial trial(options);
         trial.run();
-        std::cout << trial.count() << " cases, " << trial.failures() << " failures\n";
+        std::cout << trial.count() << " cases, " << trial.honestResults() << " honest results, "
+                  << trial.failures() << " failures\n";
         return trial.failures() ? 1 : 0;
     } catch (const std::exception& error) {
         std::cerr << "grading_hostile: " << error.what() << "\n";

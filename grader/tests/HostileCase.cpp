@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "Error.h"
@@ -101,6 +103,8 @@ World::World() {
     const std::string file = "06-rotation/rotation.cpp";
     grader::writeFile(folder() / "neighbour" / file,
                       "// " + secrets_[1] + "\n#error " + secrets_[1] + "\n" + honest_.read(file));
+    const fs::path mistake = lab::root() / "solutions" / kHalfRight / "mistakes/euler-degrees.cpp";
+    halfRight_.solve(file, "euler-rodrigues", grader::readFile(mistake));
     setenv("TOKEN_OF_THE_GRADER", secrets_[2].c_str(), 1);
 }
 
@@ -244,6 +248,27 @@ Outcome tryHonest(const std::string& assignment, const World& world) {
     if (outcome.verdict != "pass")
         outcome.faults.push_back("an honest submission lost points: " + outcome.verdict);
     return outcome;
+}
+
+Outcome tryHalfRight(const World& world) {
+    Shown shown;
+    Outcome outcome = gradeFolder(world.halfRight(), kHalfRight, false, shown);
+    if (!outcome.document.is_null() && (outcome.points <= 0 || outcome.points >= 100))
+        outcome.faults.push_back(
+            fmt::format("a half-right submission earned {:g} points", outcome.points));
+    return outcome;
+}
+
+std::vector<std::string> survivors() {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+        std::string line{std::istreambuf_iterator<char>(file), {}};
+        std::replace(line.begin(), line.end(), '\0', ' ');
+        if (line.starts_with("sleep 86399") || holds(line, "/kit/bin/runner "))
+            found.push_back(line);
+    }
+    return found;
 }
 
 }  // namespace hostile

@@ -31,7 +31,7 @@ struct Case {
 /// All cases whose names hold `only`, by name. Throws Error that names the file and what is wrong.
 std::vector<Case> readCases(const fs::path& home, const std::string& only);
 
-/// What surrounds the submissions: secrets that no one may find, and an honest neighbour.
+/// What surrounds the submissions: secrets that no one may find, and honest neighbours.
 class World {
 public:
     World();
@@ -44,14 +44,16 @@ public:
     const std::vector<std::string>& secrets() const { return secrets_; }
     /// Whether there is nothing in its folder but what it put there.
     bool isUntouched() const;
+    /// A submission that is all right, and one with a mistake that earns parts of its points.
     fs::path honest() const { return honest_.folder(); }
+    fs::path halfRight() const { return halfRight_.folder(); }
     fs::path folder() const { return work_.path(); }
 
 private:
     std::string filled(std::string text) const;
 
     lab::WorkFolder work_;
-    lab::Submission honest_;
+    lab::Submission honest_, halfRight_;
     std::vector<std::string> secrets_;
 };
 
@@ -69,5 +71,12 @@ Outcome tryCase(const Case& attack, const World& world);
 
 /// Grades the honest neighbour.
 Outcome tryHonest(const std::string& assignment, const World& world);
+
+/// What the half-right neighbour is graded in.
+inline const std::string kHalfRight = "06-rotation";
+Outcome tryHalfRight(const World& world);
+
+/// Command lines of processes of submissions that are still there.
+std::vector<std::string> survivors();
 
 }  // namespace hostile

@@ -13,9 +13,6 @@ void addCheckCourseCommand(CLI::App& app, int& exitCode);
 /// `grader sync-starters [ASSIGNMENT…]`: carries text outside the TODO regions to the starters.
 void addSyncStartersCommand(CLI::App& app, int& exitCode);
 
-/// `grader check-drivers [ASSIGNMENT…]`: the same points whatever draws the frames.
-void addCheckDriversCommand(CLI::App& app, int& exitCode);
-
 /// `grader check-recognition [ASSIGNMENT…]`: second versions of all mistakes are recognised, right
 /// programs are not accused.
 void addCheckRecognitionCommand(CLI::App& app, int& exitCode);

@@ -51,9 +51,12 @@ void checkStarter(const Grader& grader, const Manifest& manifest, Findings& find
                          mend + ", or the check, or \"starter_passes\" in assignment.json");
 }
 
-void checkSolution(const Grader& grader, const Manifest& manifest, Findings& findings) {
-    const auto result =
-        grader.gradeStage(manifest, grader.stageOf(manifest, "solutions"), kPublishedSeed);
+void checkSolution(const Grader& grader, const Manifest& manifest, Findings& findings,
+                   DriverComparison* drivers) {
+    const Stage stage = grader.stageOf(manifest, "solutions");
+    const auto result = grader.gradeStage(manifest, stage, kPublishedSeed);
+    if (drivers && result.build.ok)
+        drivers->compare("solution", stage, result.checks, true);
     const std::string mend = "./grade " + manifest.id + " --submission solutions";
     for (const Diagnostic& each : result.build.diagnostics)
         findings.add(fmt::format("solution: {}:{}: {}", each.file, each.line, each.message), mend);
@@ -63,14 +66,17 @@ void checkSolution(const Grader& grader, const Manifest& manifest, Findings& fin
 }
 
 void checkVariant(const Grader& grader, const Manifest& manifest, const fs::path& variant,
-                  Findings& findings) {
+                  Findings& findings, DriverComparison* drivers) {
     const std::string mend = "look at " + variant.string() + ", then at the check";
     Stage stage = grader.stageOf(manifest, "solutions");
     layOver(stage, variant);
     std::set<std::string> expected;
     if (const fs::path file = variant / "loses.json"; fs::exists(file))
         expected = parseJsonFile(file.string()).get<std::set<std::string>>();
-    const auto checks = gradeMended(grader, manifest, stage).checks;
+    const Grader::StageResult result = gradeMended(grader, manifest, stage);
+    const auto& checks = result.checks;
+    if (drivers && result.build.ok)
+        drivers->compare(variant.filename().string(), stage, checks, expected.empty());
     for (const CheckResult& check : checks)
         if (!check.full() && !expected.contains(check.task))
             findings.add("variant " + variant.filename().string() + ": " + statusOf(check), mend);
@@ -82,13 +88,14 @@ void checkVariant(const Grader& grader, const Manifest& manifest, const fs::path
 
 }  // namespace
 
-void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& findings) {
+void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& findings,
+                   DriverComparison* drivers) {
     checkStarter(grader, manifest, findings);
-    checkSolution(grader, manifest, findings);
+    checkSolution(grader, manifest, findings, drivers);
     const fs::path folder = grader.tools().root / "solutions" / manifest.id;
     int right = 0;
     for (const fs::path& variant : variantsOf(folder)) {
-        checkVariant(grader, manifest, variant, findings);
+        checkVariant(grader, manifest, variant, findings, drivers);
         right += fs::exists(variant / "loses.json") ? 0 : 1;
     }
     if (right < kFewestVariants)
@@ -119,7 +126,7 @@ void checkBlankRegions(const Grader& grader, const Manifest& manifest, Findings&
 }
 
 MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findings& findings,
-                           Signatures& signatures) {
+                           Signatures& signatures, DriverComparison* drivers) {
     const Stage solution = grader.stageOf(manifest, "solutions");
     const std::string mend = "edit solutions/" + manifest.id + "/mistakes.json, or the check";
     signatures.right = answersOf(grader.gradeStage(manifest, solution, kPublishedSeed).checks);
@@ -135,6 +142,8 @@ MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findi
             continue;
         }
         signatures.mistakes.push_back(signatureOf(mistake, signatures.right, result.checks));
+        if (drivers)
+            drivers->compare(mistake.id, stage, result.checks, false);
         std::vector<std::string> notices;
         mendPrerequisites(grader, manifest, stage, kPublishedSeed, result, notices);
         ++perTask[mistake.region];

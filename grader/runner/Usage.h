@@ -1,0 +1,29 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace runner {
+
+/// What processes use together: what no limit of a single process sees.
+struct Usage {
+    std::size_t memoryBytes = 0;  ///< resident; what they share counts once for each
+    std::size_t threads = 0;
+};
+
+/// Of all that this process started or inherited (main.cpp: subreaper), but for some of its children
+/// and what they started.
+Usage usageWithout(const std::vector<pid_t>& spared);
+
+/// Processes whose parent this one is, or became when theirs died.
+std::vector<pid_t> childrenOfThisProcess();
+
+/// What this process may use; its children inherit it.
+struct Allowance {
+    std::size_t memoryBytes, threads, fileBytes;
+};
+Allowance allowance();
+
+}  // namespace runner

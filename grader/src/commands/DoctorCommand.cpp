@@ -1,0 +1,26 @@
+#include "commands/DoctorCommand.h"
+
+#include <iostream>
+
+#include "commands/GradeCommand.h"
+#include "doctor/Doctor.h"
+
+namespace grader {
+
+void addDoctorCommand(CLI::App& app, int& exitCode) {
+    static bool json = false, noSandbox = false;
+    CLI::App* command = app.add_subcommand(
+        "doctor", "which defences are active here, and what else decides results");
+    command->add_flag("--json", json, "as JSON");
+    command->add_flag("--no-sandbox", noSandbox, "as with ./grade --no-sandbox");
+    command->callback([&exitCode] {
+        const Toolchain tools = Toolchain::load();
+        const auto sandbox =
+            noSandbox ? makePlainProcess(tools.confine()) : chooseSandbox(tools.confine());
+        const Diagnosis diagnosis = diagnose(tools, *sandbox);
+        std::cout << (json ? diagnosis.json() : diagnosis.text());
+        exitCode = diagnosis.allActive() ? kFullMarks : kSomethingLost;
+    });
+}
+
+}  // namespace grader

@@ -1,0 +1,4 @@
+#include <signal.h>
+#include <unistd.h>
+#include <cstdint>
+#include <vector>
