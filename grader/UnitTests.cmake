@@ -13,7 +13,7 @@ function(grader_add_unit_tests name)
     add_executable(${name} ${arg_SOURCES})
     target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${name} PRIVATE
-        ${arg_LINK} GTest::gmock GTest::gtest_main course_warnings)
+        ${arg_LINK} GTest::gmock GTest::gtest_main course_test)
     target_compile_definitions(${name} PRIVATE
         FAKE_RUNNER="$<TARGET_FILE:grader_fake_runner>"
         SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>" CONFINE="$<TARGET_FILE:confine>")

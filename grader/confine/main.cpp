@@ -1,20 +1,27 @@
-// confine cpu=S memory=MIB processes=N file=MIB files=N -- COMMAND…
+// The two steps of ours into a sandbox. Both become the command that follows.
 //
-// The last step into the sandbox, run as its unprivileged user, inside its namespaces where there
-// are any: sets the limits, gives up every way to gain rights, refuses dangerous system calls, and
-// becomes the command. What it takes away cannot be had back.
+//   confine enter USER FOLDER NAME=VALUE… -- COMMAND…
+//       the first: works in FOLDER with these variables and no others; root becomes USER, without
+//       groups. (USER 0: stays who it is, unless it is root.)
+//   confine limit cpu=S memory=MIB processes=N file=MIB files=N -- COMMAND…
+//       the last, inside the namespaces where there are any: sets the limits, gives up every way to
+//       gain rights, refuses dangerous system calls. What it takes away cannot be had back.
+//
+// Linked statically: started several times for each submission, it must cost next to nothing.
 
+#include <grp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "confine/SystemCalls.h"
 
@@ -22,34 +29,85 @@ namespace {
 
 constexpr int kCannotConfine = 126;
 
-void limit(int resource, rlim_t value) {
-    const rlimit both{value, value};
-    if (setrlimit(static_cast<__rlimit_resource_t>(resource), &both) != 0)
-        throw std::runtime_error(std::string("a limit cannot be set: ") + std::strerror(errno));
+[[noreturn]] void fail(const std::string& what) {
+    throw std::runtime_error(what + ": " + std::strerror(errno));
 }
 
-/// "name=42"
-std::pair<std::string, rlim_t> parse(const std::string& word) {
-    const auto equals = word.find('=');
+rlim_t numberIn(std::string_view text) {
     rlim_t value = 0;
-    const char* end = word.data() + word.size();
-    if (equals == std::string::npos ||
-        std::from_chars(word.data() + equals + 1, end, value).ptr != end)
-        throw std::runtime_error("expected NAME=NUMBER, found \"" + word + "\"");
-    return {word.substr(0, equals), value};
+    const char* end = text.data() + text.size();
+    if (text.empty() || std::from_chars(text.data(), end, value).ptr != end)
+        throw std::runtime_error("expected a number, found \"" + std::string(text) + "\"");
+    return value;
 }
 
-void apply(const std::map<std::string, rlim_t>& limits) {
+/// argv from `at` to "--"; leaves `at` behind it.
+template <class Take>
+void takeUntilDashes(char** argv, int argc, int& at, Take&& take) {
+    for (; at < argc && std::strcmp(argv[at], "--") != 0; ++at)
+        take(argv[at]);
+    if (++at >= argc)
+        throw std::runtime_error("no command after --");
+}
+
+void becomeUser(gid_t user) {
+    if (geteuid() != 0)
+        return;
+    if (user == 0)
+        throw std::runtime_error("root must become somebody else");
+    if (setgroups(0, nullptr) != 0 || setresgid(user, user, user) != 0 ||
+        setresuid(user, user, user) != 0)
+        fail("cannot become user " + std::to_string(user));
+}
+
+void enter(char** argv, int argc, int& at) {
+    if (argc < at + 2)
+        throw std::runtime_error("expected a user and a folder");
+    const auto user = static_cast<gid_t>(numberIn(argv[at++]));
+    const char* folder = argv[at++];
+    clearenv();
+    takeUntilDashes(argv, argc, at, [](char* variable) {
+        if (!std::strchr(variable, '=') || putenv(variable) != 0)
+            throw std::runtime_error("expected NAME=VALUE, found \"" + std::string(variable) +
+                                     "\"");
+    });
+    if (chdir(folder) != 0)
+        fail(std::string("cannot work in ") + folder);
+    becomeUser(user);
+}
+
+void setLimit(std::string_view word) {
     constexpr rlim_t kMib = 1024 * 1024;
-    limit(RLIMIT_CPU, limits.at("cpu"));
-    limit(RLIMIT_AS, limits.at("memory") * kMib);
-    limit(RLIMIT_NPROC, limits.at("processes"));
-    limit(RLIMIT_FSIZE, limits.at("file") * kMib);
-    limit(RLIMIT_NOFILE, limits.at("files"));
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_MSGQUEUE, 0);
-    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
-        throw std::runtime_error("new privileges cannot be given up");
+    struct Kind {
+        std::string_view name;
+        __rlimit_resource resource;
+        rlim_t unit;
+    };
+    static constexpr Kind kKinds[] = {{"cpu", RLIMIT_CPU, 1},
+                                      {"memory", RLIMIT_AS, kMib},
+                                      {"processes", RLIMIT_NPROC, 1},
+                                      {"file", RLIMIT_FSIZE, kMib},
+                                      {"files", RLIMIT_NOFILE, 1}};
+    const auto equals = word.find('=');
+    for (const Kind& kind : kKinds) {
+        if (equals == word.npos || kind.name != word.substr(0, equals))
+            continue;
+        const rlim_t value = numberIn(word.substr(equals + 1)) * kind.unit;
+        const rlimit both{value, value};
+        if (setrlimit(kind.resource, &both) != 0)
+            fail("the limit " + std::string(word) + " cannot be set");
+        return;
+    }
+    throw std::runtime_error("no limit is called \"" + std::string(word) + "\"");
+}
+
+void limit(char** argv, int argc, int& at) {
+    takeUntilDashes(argv, argc, at, setLimit);
+    const rlimit nothing{0, 0};
+    if (setrlimit(RLIMIT_CORE, &nothing) != 0 || setrlimit(RLIMIT_MSGQUEUE, &nothing) != 0)
+        fail("core dumps cannot be given up");
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
+        fail("new privileges cannot be given up");
     confine::refuseDangerousCalls();
 }
 
@@ -57,16 +115,16 @@ void apply(const std::map<std::string, rlim_t>& limits) {
 
 int main(int argc, char** argv) {
     try {
-        std::map<std::string, rlim_t> limits;
-        int at = 1;
-        for (; at < argc && std::strcmp(argv[at], "--") != 0; ++at)
-            limits.insert(parse(argv[at]));
-        if (at + 1 >= argc)
-            throw std::runtime_error("no command after --");
-        apply(limits);
-        execvp(argv[at + 1], argv + at + 1);
-        throw std::runtime_error(std::string("cannot start ") + argv[at + 1] + ": " +
-                                 std::strerror(errno));
+        const std::string_view step = argc > 1 ? argv[1] : "";
+        int at = 2;
+        if (step == "enter")
+            enter(argv, argc, at);
+        else if (step == "limit")
+            limit(argv, argc, at);
+        else
+            throw std::runtime_error("expected enter or limit: started by the grader, not by hand");
+        execvp(argv[at], argv + at);
+        fail(std::string("cannot start ") + argv[at]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "confine: %s\n", error.what());
         return kCannotConfine;

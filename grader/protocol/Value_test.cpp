@@ -113,7 +113,7 @@ TEST(Value, ALieAboutAVectorsLengthTakesNoMemory) {
     EXPECT_THAT(refusal<std::vector<float>>(bytes), HasSubstr("longer than its message"));
     const std::uint32_t smallLie = 3;
     std::memcpy(bytes.data() + 1, &smallLie, sizeof smallLie);
-    EXPECT_THAT(refusal<std::vector<float>>(bytes), HasSubstr("early"));
+    EXPECT_THAT(refusal<std::vector<float>>(bytes), HasSubstr("longer than its message"));
 }
 
 }  // namespace

@@ -30,11 +30,23 @@ void append(Command& command, const Command& more) {
     command.insert(command.end(), more.begin(), more.end());
 }
 
-/// The only variables that a confined program sees.
-Command environment(const Confinement& confinement) {
-    Command variables = {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "HOME=/nonexistent", "TMPDIR=/tmp"};
-    append(variables, confinement.environment);
-    return variables;
+/// Our program's first step: the only variables that a confined program sees, its folder, and the
+/// job's user where the grader is root.
+Command enterCommand(const fs::path& confine, const fs::path& folder,
+                     const Confinement& confinement) {
+    if (geteuid() == 0 && confinement.user == 0)
+        throw Error("a program was about to run as root in a sandbox");
+    Command command = {confine.string(),
+                       "enter",
+                       std::to_string(confinement.user),
+                       folder.string(),
+                       "PATH=/usr/bin:/bin",
+                       "LANG=C.UTF-8",
+                       "HOME=/nonexistent",
+                       "TMPDIR=/tmp"};
+    append(command, confinement.environment);
+    command.push_back("--");
+    return command;
 }
 
 /// Threads that the user runs outside any sandbox; a plain process shares their limit.
@@ -52,24 +64,16 @@ int threadsOfThisUser() {
     return threads;
 }
 
-/// Our program that sets the limits and the filter, and what it is told.
-Command confineCommand(const fs::path& confine, const Limits& limits, int otherProcesses) {
+/// Its last step, which sets the limits and the filter.
+Command limitCommand(const fs::path& confine, const Limits& limits, int otherProcesses) {
     return {confine.string(),
+            "limit",
             fmt::format("cpu={}", limits.cpuSeconds),
             fmt::format("memory={}", limits.memoryMib),
             fmt::format("processes={}", limits.processes + otherProcesses),
             fmt::format("file={}", limits.fileMib),
             fmt::format("files={}", limits.openFiles),
             "--"};
-}
-
-Command becomeUnprivileged(unsigned user) {
-    if (geteuid() != 0)
-        return {};
-    if (user == 0)
-        throw Error("a program was about to run as root in a sandbox");
-    const std::string id = std::to_string(user);
-    return {"setpriv", "--reuid", id, "--regid", id, "--clear-groups"};
 }
 
 class Bubblewrap : public Sandbox {
@@ -80,9 +84,7 @@ public:
 
     Command confine(const Confinement& confinement, const Command& command) const override {
         const std::string id = std::to_string(kNobody);
-        Command all = {"env", "-i"};
-        append(all, environment(confinement));
-        append(all, becomeUnprivileged(confinement.user));
+        Command all = enterCommand(confine_, "/", confinement);
         append(all, {"bwrap",
                      "--unshare-all",
                      "--unshare-user",
@@ -127,7 +129,7 @@ public:
             append(all, {"--bind", folder.string(), folder.string()});
         append(all, {"--ro-bind", confine_.string(), confine_.string()});
         append(all, {"--remount-ro", "/", "--chdir", confinement.workingFolder.string(), "--"});
-        append(all, confineCommand(confine_, confinement.limits, 0));
+        append(all, limitCommand(confine_, confinement.limits, 0));
         append(all, command);
         return all;
     }
@@ -146,12 +148,9 @@ public:
     }
 
     Command confine(const Confinement& confinement, const Command& command) const override {
-        Command all = {"env", "-i", "-C", confinement.workingFolder.string()};
-        append(all, environment(confinement));
-        append(all, becomeUnprivileged(confinement.user));
-        append(all, {"setpriv", "--no-new-privs", "--pdeathsig", "KILL"});
+        Command all = enterCommand(confine_, confinement.workingFolder, confinement);
         static const int others = geteuid() == 0 ? 0 : threadsOfThisUser();
-        append(all, confineCommand(confine_, confinement.limits, others));
+        append(all, limitCommand(confine_, confinement.limits, others));
         append(all, command);
         return all;
     }

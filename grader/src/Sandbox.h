@@ -45,7 +45,7 @@ public:
 
 /// Bubblewrap: namespaces of its own for everything, a read-only system, no network, no
 /// capabilities. Started by root it first becomes an unprivileged user *outside* the namespace.
-/// `confine`: our program that sets limits and the filter of system calls, see grader/confine.
+/// `confine`: our program with the first and the last step into a sandbox, see grader/confine.
 std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine);
 
 /// A plain process with the same limits and filter; as root, another user. It can read what that
