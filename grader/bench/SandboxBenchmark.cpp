@@ -1,6 +1,6 @@
 // What the sandbox costs: a submission with one edited file is graded in bubblewrap and without any
-// confinement, in turns. CPU time counts every child. Prints a row per assignment; the difference is
-// the median over the rounds' pairs.
+// confinement, in turns. CPU time counts every child. Prints a row per assignment; the difference
+// is the median over the rounds' pairs.
 
 #include <cstdlib>
 #include <iostream>

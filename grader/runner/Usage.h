@@ -13,8 +13,8 @@ struct Usage {
     std::size_t threads = 0;
 };
 
-/// Of all that this process started or inherited (main.cpp: subreaper), but for some of its children
-/// and what they started.
+/// Of all that this process started or inherited (main.cpp: subreaper), but for some of its
+/// children and what they started.
 Usage usageWithout(const std::vector<pid_t>& spared);
 
 /// Processes whose parent this one is, or became when theirs died.
