@@ -16,7 +16,7 @@ if(NOT corpora)
     message(FATAL_ERROR "no folder in grader/fuzz/corpus: there is nothing to fuzz")
 endif()
 foreach(name IN LISTS corpora)
-    # OpenImageIO 2.4 keeps its last error's text: for leaks, look at the others.
+    # OpenImageIO 2.4 does not free the text of its last error: for leaks, look at the others.
     set(leaks 1)
     if(name STREQUAL image)
         set(leaks 0)

@@ -1,5 +1,5 @@
 # The kit: the one folder of ours that a sandbox sees. Headers, the precompiled prelude, library cg,
-# shaders, meshes, the runner and confine, the last step into a sandbox; no test, no reference, no solution.
+# shaders, meshes, the runner, confine (the steps into a sandbox) and unpack; no test, no reference, no solution.
 
 set(KIT ${PROJECT_BINARY_DIR}/kit)
 set(kit_headers)
@@ -44,5 +44,8 @@ add_custom_command(OUTPUT ${KIT}/bin/runner
 add_custom_command(OUTPUT ${KIT}/bin/confine
     COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:confine> ${KIT}/bin/confine
     DEPENDS confine VERBATIM)
+add_custom_command(OUTPUT ${KIT}/bin/unpack
+    COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:unpack> ${KIT}/bin/unpack
+    DEPENDS unpack VERBATIM)
 add_custom_target(prelude DEPENDS ${copies} ${KIT}/prelude/prelude.h.gch ${KIT}/lib/libcg.a
-    ${KIT}/bin/runner ${KIT}/bin/confine)
+    ${KIT}/bin/runner ${KIT}/bin/confine ${KIT}/bin/unpack)

@@ -36,7 +36,8 @@ grader_add_unit_tests(grader_unit_tests
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
-    LINK grader_course)
+        unpack/Unpack_test.cpp
+    LINK grader_course unpacking)
 
 # The HTML report in a browser: reports by the grader itself, and one that has everything.
 add_executable(grader_sample_report testing/SampleReport.cpp)

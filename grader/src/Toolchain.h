@@ -26,6 +26,7 @@ struct Toolchain {
     }
     fs::path runner() const { return kit / "bin/runner"; }
     fs::path confine() const { return kit / "bin/confine"; }
+    fs::path unpack() const { return kit / "bin/unpack"; }
 
     /// Throws Error when the file is missing or not what the build writes.
     static Toolchain load();

@@ -58,6 +58,14 @@ std::string partOf(const Case& attack, const std::string& part) {
     return fs::exists(file) ? grader::readFile(file) : "";
 }
 
+/// The archive that an attack has in its folder or has made; empty where there is none.
+fs::path archiveIn(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().filename().string().starts_with("archive."))
+            return entry.path();
+    return {};
+}
+
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
@@ -112,7 +120,8 @@ bool World::isUntouched() const {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder()))
         names.insert(entry.path().filename().string());
-    return names == std::set<std::string>{"secret.txt", "neighbour"};
+    return names == std::set<std::string>{"secret.txt", "neighbour"} &&
+           !fs::exists("/tmp/left-behind");
 }
 
 std::string World::filled(std::string text) const {
@@ -145,6 +154,9 @@ fs::path World::prepare(const Case& attack, const fs::path& target) const {
         if (!made.succeeded())
             throw Error("{} failed: {}", script.string(), made.output);
     }
+    for (const fs::path& folder : {target, attack.folder})
+        if (const auto archive = archiveIn(folder); !archive.empty())
+            return archive;
     return target;
 }
 
@@ -170,6 +182,10 @@ Outcome gradeFolder(const fs::path& submission, const std::string& assignment, b
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     shown.terminal = ran.output;
+    if (ran.exitCode == 2 && holds(ran.output, "the archive is refused: ")) {
+        outcome.verdict = "refused";
+        return outcome;
+    }
     if (ran.timedOut || (ran.exitCode != 0 && ran.exitCode != 1)) {
         outcome.verdict = ran.timedOut ? "hangs" : fmt::format("exit code {}", ran.exitCode);
         outcome.faults.push_back("the grader itself failed: " + ran.output.substr(0, 500));
@@ -204,7 +220,7 @@ std::vector<std::string> complaintsAbout(const Shown& shown, const Case& attack,
     for (const std::string& text : attack.startsNoLine)
         if (holds("\n" + shown.terminal, "\n" + text))
             complaints.push_back("a line of the terminal begins with \"" + text + "\"");
-    if (!holds(shown.result, attack.says))
+    if (!holds(shown.result + shown.terminal, attack.says))
         complaints.push_back("it does not say \"" + attack.says + "\"");
     return complaints;
 }
@@ -221,12 +237,13 @@ Outcome tryCase(const Case& attack, const World& world) {
         outcome.faults.push_back(std::move(each));
     if (!world.isUntouched())
         outcome.faults.push_back("something was written beside the submission");
-    if (outcome.document.is_null())
-        return outcome;
-    outcome.verdict = gravest(outcome.document, attack.region);
+    if (!outcome.document.is_null())
+        outcome.verdict = gravest(outcome.document, attack.region);
     if (!attack.verdicts.contains(outcome.verdict))
         outcome.faults.push_back(fmt::format("expected {}, got {}",
                                              fmt::join(attack.verdicts, " or "), outcome.verdict));
+    if (outcome.document.is_null())
+        return outcome;
     if (gravest(outcome.document, "") == "grader_error")
         outcome.faults.push_back("it is called the grader's own fault");
     if (outcome.points > attack.mostPoints + 1e-9)

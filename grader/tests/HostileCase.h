@@ -36,13 +36,14 @@ class World {
 public:
     World();
 
-    /// The folder of a submission: the solutions with the attack laid over them.
+    /// A submission: the solutions with the attack laid over them, or an archive, where the attack
+    /// has made one (archive.*).
     fs::path prepare(const Case& attack, const fs::path& target) const;
 
     /// Texts that must occur nowhere, and are planted beside the submission, in a neighbour's
     /// files and in the grader's environment.
     const std::vector<std::string>& secrets() const { return secrets_; }
-    /// Whether there is nothing in its folder but what it put there.
+    /// Whether there is nothing in its folder but what it put there, and no /tmp/left-behind.
     bool isUntouched() const;
     /// A submission that is all right, and one with a mistake that earns parts of its points.
     fs::path honest() const { return honest_.folder(); }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 
+#include "Archive.h"
 #include "Error.h"
 #include "Grade.h"
 #include "Process.h"
@@ -28,9 +30,28 @@ struct Options {
 struct Selection {
     Submission submission;
     std::vector<std::string> assignments;
+    std::unique_ptr<Job> unpacking;  ///< holds the files of an archive
+    std::string notice;              ///< about the archive; may be empty
 };
 
-Selection select(const Toolchain& tools, const Options& options) {
+/// The folder that the option names, or what is in the archive that it names.
+fs::path folderOf(const Toolchain& tools, const Sandbox& sandbox, const fs::path& named,
+                  Selection& selection) {
+    if (fs::is_directory(named))
+        return named;
+    if (!fs::is_regular_file(named))
+        throw Error("--submission {}: there is no such folder or archive", named.string());
+    selection.unpacking = std::make_unique<Job>();
+    const Unpacked unpacked =
+        unpackArchive(tools, sandbox, *selection.unpacking, named, knownAssignments(tools.root));
+    if (!unpacked.refusal.empty())
+        throw Error("--submission {}: the archive is refused: {}", named.string(),
+                    unpacked.refusal);
+    selection.notice = unpacked.notice;
+    return unpacked.folder;
+}
+
+Selection select(const Toolchain& tools, const Sandbox& sandbox, const Options& options) {
     const auto known = knownAssignments(tools.root);
     Selection selection;
     selection.assignments = options.assignments;
@@ -42,9 +63,7 @@ Selection select(const Toolchain& tools, const Options& options) {
             selection.assignments = known;
         return selection;
     }
-    const fs::path folder = options.submission;
-    if (!fs::is_directory(folder))
-        throw Error("--submission {}: there is no such folder", folder.string());
+    const fs::path folder = folderOf(tools, sandbox, options.submission, selection);
     std::vector<std::string> present;
     for (const std::string& id : known)
         if (fs::is_directory(folder / id))
@@ -57,7 +76,7 @@ Selection select(const Toolchain& tools, const Options& options) {
             "--submission {}: no folder in it is named like an assignment, so it must hold "
             "the files of one: name that assignment, for instance ./grade {} --submission "
             "{}",
-            folder.string(), known.front(), folder.string());
+            options.submission, known.front(), options.submission);
     return selection;
 }
 
@@ -100,9 +119,9 @@ int exitCodeOf(const std::vector<AssignmentResult>& results) {
 
 int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
-    const Selection selection = select(tools, options);
     const auto sandbox =
         options.noSandbox ? makePlainProcess(tools.confine()) : chooseSandbox(tools.confine());
+    const Selection selection = select(tools, *sandbox, options);
     const Grader grader(tools, *sandbox, {.context = options.context});
 
     const bool quiet = options.json == "-";
@@ -113,6 +132,8 @@ int gradeAll(const Options& options) {
         results.push_back(
             grader.grade(loadAssignment(tools.root, id), selection.submission, options.seed));
         results.back().timing["cpu_seconds"] = cpuSeconds() - cpu;
+        if (!selection.notice.empty())
+            results.back().notices.push_back(selection.notice);
         if (!quiet)
             std::cout << terminalReport(results.back(), style) << "\n" << std::flush;
     }
@@ -151,7 +172,8 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
                         "assignments to grade; default all, or all that the submission has");
     command->add_option("--submission", options.submission,
                         "folder with one folder per assignment, or with the files of the one "
-                        "assignment named; default assignments/");
+                        "assignment named; or an archive (zip, tar, tar.gz, tar.xz, tar.bz2) of "
+                        "either; default assignments/");
     command->add_option("--json", options.json,
                         "write the result document to this file, - for "
                         "standard output (then nothing else is printed)");

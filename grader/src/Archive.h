@@ -1,0 +1,20 @@
+#pragma once
+
+#include "Build.h"
+
+namespace grader {
+
+/// What became of an archive that a student handed in.
+struct Unpacked {
+    fs::path folder;      ///< of the files, in the job's folder
+    std::string refusal;  ///< why it is not taken, one sentence; empty when it is
+    std::string notice;   ///< what an instructor should know about it; may be empty
+};
+
+/// Unpacks a zip, tar, tar.gz, tar.xz or tar.bz2 in the sandbox, see grader/unpack/Unpack.h. Where
+/// all of it is in one folder that is not named like one of the `known` assignments, that folder is
+/// taken, and said. Throws Error when the file cannot be read.
+Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                       const fs::path& archive, const std::vector<std::string>& known);
+
+}  // namespace grader

@@ -1,0 +1,2 @@
+mkdir nothing
+tar -cf archive.tar nothing

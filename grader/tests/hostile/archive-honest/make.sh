@@ -1,0 +1,1 @@
+tar -czf archive.tar.gz 06-rotation

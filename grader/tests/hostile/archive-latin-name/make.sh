@@ -1,0 +1,3 @@
+mkdir $'\xdcbung'
+mv 06-rotation $'\xdcbung/'
+tar -cf archive.tar $'\xdcbung'

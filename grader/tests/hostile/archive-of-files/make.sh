@@ -1,0 +1,1 @@
+tar -C 06-rotation -cJf archive.tar.xz .

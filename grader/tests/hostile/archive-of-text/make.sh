@@ -1,0 +1,1 @@
+echo "my homework" > archive.zip

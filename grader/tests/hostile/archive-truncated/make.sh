@@ -1,0 +1,2 @@
+tar -czf whole.tar.gz 06-rotation
+head -c 700 whole.tar.gz > archive.tar.gz

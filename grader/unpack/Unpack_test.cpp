@@ -1,0 +1,51 @@
+#include "unpack/Unpack.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/Tree.h"
+
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing_help::Tree;
+using unpack::whyNotCalled;
+
+TEST(UnpackNames, HonestOnesAreTaken) {
+    for (const char* name : {"rotation.cpp", "06-rotation/rotation.cpp", "./a/b", "a/", "Übung 6/x",
+                             "__MACOSX/._rotation.cpp", "a..b/..c"})
+        EXPECT_THAT(whyNotCalled(name), IsEmpty()) << name;
+}
+
+TEST(UnpackNames, EachDangerIsNamed) {
+    const std::pair<std::string, const char*> dangers[] = {
+        {"", "has no name"},
+        {"/etc/passwd", "is an absolute path"},
+        {"../x", "leads out"},
+        {"a/../../x", "leads out"},
+        {"a\\..\\x", "no file name should have"},
+        {"a\nb", "no file name should have"},
+        {"a\x1b[2Jb", "no file name should have"},
+        {"a\u202Eb", "no file name should have"},
+        {std::string(256, 'a'), "longer than 255 bytes"},
+    };
+    for (const auto& [name, why] : dangers)
+        EXPECT_THAT(whyNotCalled(name), HasSubstr(why)) << name;
+    std::string deep = "x";
+    for (int i = 0; i < 32; ++i)
+        deep = "a/" + deep;
+    EXPECT_THAT(whyNotCalled(deep), HasSubstr("folders deep"));
+    EXPECT_THAT(whyNotCalled(deep.substr(2)), IsEmpty());
+}
+
+TEST(Unpack, SaysWhatAFileIsWhenItIsNoArchive) {
+    const Tree tree;
+    tree.write("text", "my homework");
+    std::filesystem::create_directories(tree / "target");
+    EXPECT_THAT(unpack::unpack(tree / "text", tree / "target"), HasSubstr("no zip, tar"));
+    EXPECT_THAT(unpack::unpack(tree / "missing", tree / "target"), HasSubstr("no zip, tar"));
+    EXPECT_TRUE(std::filesystem::is_empty(tree / "target"));
+}
+
+}  // namespace
