@@ -23,7 +23,8 @@ foreach(name IN LISTS corpora)
     endif()
     file(MAKE_DIRECTORY ${found} ${PROJECT_BINARY_DIR}/fuzz/new/${name})
     add_test(NAME fuzz.${name} COMMAND ${PROJECT_BINARY_DIR}/fuzz/fuzz_${name}
-        -max_total_time=30 -timeout=10 -rss_limit_mb=2048 -detect_leaks=${leaks} -artifact_prefix=${found}/${name}-
+        -max_total_time=30 -timeout=10 -rss_limit_mb=2048 -artifact_prefix=${found}/${name}-
         ${PROJECT_BINARY_DIR}/fuzz/new/${name} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name})
-    set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 300)
+    set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 300
+        ENVIRONMENT ASAN_OPTIONS=detect_leaks=${leaks})
 endforeach()

@@ -53,7 +53,7 @@ enum class Outcome : std::uint8_t {
 struct Answer {
     Nonce nonce{};
     Outcome outcome = Outcome::ok;
-    std::int32_t code = 0;
+    std::int32_t code = 0;  ///< see Outcome; of a frame: pixels that were not drawn
     std::string detail;
     std::vector<std::string> todos;  ///< ids of unfilled regions that were reached
     Bytes payload;                   ///< a value, or RGBA pixels with row 0 at the top

@@ -15,6 +15,7 @@
 
 #include "runner/Census.h"
 #include "runner/CrashReport.h"
+#include "runner/Undrawn.h"
 
 namespace runner {
 
@@ -98,7 +99,7 @@ Answer Host::perform(const Request& request) {
                 answer.payload = draw(request);
                 break;
             case RequestKind::frame:
-                answer.payload = drawFrame(request);
+                answer = drawFrame(request);
                 break;
             case RequestKind::graphics:
                 answer.payload = describeGraphics();
@@ -149,16 +150,25 @@ Bytes Host::draw(const Request& request) {
     return protocol::encodeDrawAnswer(answer);
 }
 
-Bytes Host::drawFrame(const Request& request) {
+Answer Host::drawFrame(const Request& request) {
     needContext(request.width, request.height);
     load();
     const auto found = harness_.frames.find(request.name);
     if (found == harness_.frames.end())
         throw Refusal{Outcome::unknown, "the harness has no frame " + request.name};
-    beginCensus(false);
-    found->second({request.width, request.height, request.seed});
-    shaderTodos_ = takeCensus().todos;
-    return context_->readPixels().rgba;
+    const auto drawOver = [&](const Filling& filling) {
+        fill(*context_, filling);
+        beginCensus(false);
+        found->second({request.width, request.height, request.seed});
+        shaderTodos_ = takeCensus().todos;
+        return context_->readPixels().rgba;
+    };
+    Answer answer;
+    answer.payload = drawOver(kFirstFilling);
+    // What looks as if it was not drawn is drawn again over something else.
+    if (shows(answer.payload, kFirstFilling))
+        answer.code = static_cast<int>(undrawnPixels(answer.payload, drawOver(kSecondFilling)));
+    return answer;
 }
 
 Bytes Host::describeGraphics() {

@@ -30,7 +30,7 @@ private:
     protocol::Answer perform(const protocol::Request& request);
     protocol::Bytes call(const protocol::Request& request);
     protocol::Bytes draw(const protocol::Request& request);
-    protocol::Bytes drawFrame(const protocol::Request& request);
+    protocol::Answer drawFrame(const protocol::Request& request);
     protocol::Bytes describeGraphics();
     void load();
     void needContext(int width, int height);

@@ -54,6 +54,11 @@ public:
             if (check.full()) {
                 check.message.clear();
                 check.hint.clear();
+            } else if (outcome.undrawn > 0) {
+                check.message +=
+                    fmt::format("{}{:.1f} % of the picture was neither cleared nor drawn",
+                                check.message.empty() ? "" : "; ",
+                                100.0 * outcome.undrawn / (frame_.width * frame_.height));
             }
             check.pictures = FramePictures{outcome.picture, rule_.truth().reference, {}, score};
         }

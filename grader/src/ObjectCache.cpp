@@ -17,6 +17,7 @@ std::optional<std::string> ObjectCache::fetch(const std::string& key,
     if (error)
         return std::nullopt;
     fs::permissions(target, fs::perms(0644), error);  // the sandbox's user must read it
+    fs::last_write_time(entry, fs::file_time_type::clock::now(), error);  // it is in use
     return readFile(entry / "log");
 }
 

@@ -226,9 +226,10 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
                            static_cast<std::size_t>(frame.height);
         if (answer.outcome == protocol::Outcome::ok && answer.payload.size() != bytes)
             outcome.verdict = {Status::tampered, "the frame: an answer that is no picture"};
-        else if (answer.outcome == protocol::Outcome::ok)
+        else if (answer.outcome == protocol::Outcome::ok) {
+            outcome.undrawn = std::clamp(answer.code, 0, frame.width * frame.height);
             outcome.picture = {frame.width, frame.height, std::move(answer.payload)};
-        else
+        } else
             outcome.verdict = judge::explain("the frame", request, answer);
     }
     return frames;

@@ -31,6 +31,7 @@ struct FrameOutcome {
     Picture picture;
     judge::Verdict verdict{judge::Status::pass, ""};
     std::vector<std::string> todos;  ///< unfilled regions that were reached
+    int undrawn = 0;  ///< pixels that were neither cleared nor drawn, as the subject's process says
 };
 
 struct Frames {

@@ -44,6 +44,7 @@ public:
         // needed would be freed of its own mistake.
         for (const auto& [needs, tasks] : lostTasksByNeeds())
             mend(needs, tasks);
+        tellWhatWasGained();
     }
 
 private:
@@ -139,7 +140,7 @@ private:
 
     void keepTheBetter(Grader::StageResult again, const std::set<std::string>& lost,
                        const std::vector<std::string>& replaced) {
-        std::set<std::string> gained;
+        std::set<std::string>& gained = gainedBy_[fmt::format("{}", fmt::join(replaced, ", "))];
         for (CheckResult& check : graded_.checks)
             for (CheckResult& other : again.checks) {
                 if (!lost.contains(check.task) || other.id != check.id)
@@ -152,11 +153,15 @@ private:
                 }
                 break;
             }
-        if (!gained.empty())
-            notices_.push_back(
-                fmt::format("{} rests on {}, which loses points of its own: graded "
-                            "with the solution's, so that nothing is charged twice",
-                            fmt::join(gained, ", "), fmt::join(replaced, ", ")));
+    }
+
+    void tellWhatWasGained() {
+        for (const auto& [replaced, tasks] : gainedBy_)
+            if (!tasks.empty())
+                notices_.push_back(fmt::format(
+                    "{} {} on {}, which loses points of its own: graded with the solution's, so "
+                    "that nothing is charged twice",
+                    fmt::join(tasks, ", "), tasks.size() == 1 ? "rests" : "rest", replaced));
     }
 
     void skipWhatRestsOnLostTasks(const std::set<std::string>& lost) {
@@ -200,6 +205,7 @@ private:
     std::uint64_t seed_;
     Grader::StageResult& graded_;
     std::vector<std::string>& notices_;
+    std::map<std::string, std::set<std::string>> gainedBy_;  ///< tasks, by what was replaced
 };
 
 }  // namespace

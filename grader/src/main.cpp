@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Error.h"
+#include "commands/BatchCommand.h"
 #include "commands/CompareCommand.h"
 #include "commands/CourseCommands.h"
 #include "commands/DeveloperCommands.h"
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(0, 1);
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
+    grader::addBatchCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
     grader::addWindowCommand(app, exitCode);

@@ -227,7 +227,9 @@ std::vector<std::string> complaintsAbout(const Shown& shown, const Case& attack,
 
 }  // namespace
 
-Outcome tryCase(const Case& attack, const World& world) {
+namespace {
+
+Outcome graded(const Case& attack, const World& world) {
     const lab::WorkFolder work;
     fs::permissions(work.path(), fs::perms(0755));
     const fs::path submission = world.prepare(attack, work.path() / "submission");
@@ -254,6 +256,18 @@ Outcome tryCase(const Case& attack, const World& world) {
         if (std::find(ignored.begin(), ignored.end(), name) == ignored.end())
             outcome.faults.push_back(name + " is not named as ignored");
     return outcome;
+}
+
+}  // namespace
+
+Outcome tryCase(const Case& attack, const World& world) {
+    try {
+        return graded(attack, world);
+    } catch (const std::exception& error) {
+        Outcome outcome;
+        outcome.faults.push_back(std::string("the case could not be tried: ") + error.what());
+        return outcome;
+    }
 }
 
 Outcome tryHonest(const std::string& assignment, const World& world) {

@@ -1,1 +1,1 @@
-tar -C 06-rotation -cJf archive.tar.xz .
+tar -C 06-rotation -czf archive.tgz .

@@ -1,0 +1,180 @@
+#include "batch/Batch.h"
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "Archive.h"
+#include "Error.h"
+#include "report/HtmlReport.h"
+
+namespace grader {
+
+namespace {
+
+/// How much there is to read: what takes long is begun first.
+std::uintmax_t sizeOf(const Entrant& entrant) {
+    std::error_code unknown;
+    if (entrant.isArchive)
+        return fs::file_size(entrant.path, unknown);
+    std::uintmax_t sum = 0;
+    for (auto each = fs::recursive_directory_iterator(entrant.path, unknown);
+         !unknown && each != fs::recursive_directory_iterator(); each.increment(unknown))
+        if (each->is_regular_file(unknown))
+            sum += each->file_size(unknown);
+    return sum;
+}
+
+std::string hashOfFolder(const fs::path& folder) {
+    std::string text;
+    std::vector<fs::path> files;
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file())
+                files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+        text += file.lexically_relative(folder).string() + "\n" + sha256(readFile(file)) + "\n";
+    return sha256(text);
+}
+
+Standing standingFrom(const std::string& student, Json document) {
+    Standing standing{student, document.at("status"), "", 0, 0, nullptr, false};
+    if (standing.status == "refused") {
+        standing.sentence = document.at("sentence");
+    } else {
+        standing.points = document.at("points");
+        standing.maxPoints = document.at("max_points");
+    }
+    standing.result = std::move(document);
+    return standing;
+}
+
+}  // namespace
+
+Batch::Batch(const Grader& grader, const Sandbox& sandbox, const Manifest& manifest,
+             const Ledger& ledger, std::uint64_t seed, std::string key)
+    : grader_(grader),
+      sandbox_(sandbox),
+      manifest_(manifest),
+      ledger_(ledger),
+      seed_(seed),
+      key_(std::move(key)),
+      known_(knownAssignments(grader.tools().root)) {}
+
+std::vector<Standing> Batch::run(const std::vector<Entrant>& entrants, int jobs, bool fresh,
+                                 const std::atomic<bool>& stop,
+                                 const std::function<void(const Standing&)>& tell) const {
+    std::vector<std::size_t> order(entrants.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<std::uintmax_t> sizes;
+    for (const Entrant& each : entrants)
+        sizes.push_back(sizeOf(each));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+
+    std::vector<std::optional<Standing>> standings(entrants.size());
+    std::atomic<std::size_t> next = 0;
+    std::mutex telling;
+    const auto work = [&] {
+        for (std::size_t k = next++; k < order.size() && !stop; k = next++) {
+            Standing standing = standingOf(entrants[order[k]], fresh);
+            const std::scoped_lock lock(telling);
+            tell(standing);
+            standings[order[k]] = std::move(standing);
+        }
+    };
+    std::vector<std::thread> workers;
+    for (int i = 1; i < jobs; ++i)
+        workers.emplace_back(work);
+    work();
+    for (std::thread& each : workers)
+        each.join();
+    std::vector<Standing> done;
+    for (auto& each : standings)
+        if (each)
+            done.push_back(std::move(*each));
+    return done;
+}
+
+Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
+    std::string fault;
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        try {
+            const std::string key = keyOf(entrant);
+            if (auto known = fresh ? std::nullopt : ledger_.known(entrant.name, key)) {
+                Standing standing = standingFrom(entrant.name, std::move(*known));
+                standing.fromBefore = true;
+                return standing;
+            }
+            ledger_.begin(entrant.name);
+            Standing standing = gradeOnce(entrant, key);
+            if (!standing.graderFailed())
+                return standing;
+            fault = "see the checks that are grader_error in its report";
+        } catch (const std::exception& error) {
+            fault = error.what();
+        }
+    }
+    return {entrant.name, "grader_error", fault, 0, 0, nullptr, false};
+}
+
+Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const {
+    const Job unpacking;
+    Unpacked unpacked{entrant.path, "", ""};
+    if (entrant.isArchive)
+        unpacked = unpackArchive(grader_.tools(), sandbox_, unpacking, entrant.path, known_);
+    if (!unpacked.refusal.empty()) {
+        Json document = {{"format", 1},
+                         {"assignment", manifest_.id},
+                         {"status", "refused"},
+                         {"sentence", "the archive is refused: " + unpacked.refusal}};
+        ledger_.keep(entrant.name, key, document.dump(2) + "\n");
+        return standingFrom(entrant.name, std::move(document));
+    }
+    std::vector<AssignmentResult> results = {
+        grader_.grade(manifest_, submissionIn(unpacked.folder), seed_)};
+    if (!unpacked.notice.empty())
+        results.front().notices.push_back(unpacked.notice);
+    const fs::path report = ledger_.folderOf(entrant.name) / "report";
+    writeReportPictures(results, report);
+    writeFile(report / "index.html", htmlReport(results, report));
+    const std::string document = toJson(results.front());
+    ledger_.keep(entrant.name, results.front().graderFailed() ? "" : key, document);
+    return standingFrom(entrant.name, Json::parse(document));
+}
+
+Submission Batch::submissionIn(const fs::path& folder) const {
+    const bool perAssignment = std::any_of(
+        known_.begin(), known_.end(),
+        [&](const std::string& id) { return fs::is_directory(fs::symlink_status(folder / id)); });
+    return {fs::absolute(folder), perAssignment};
+}
+
+std::string Batch::keyOf(const Entrant& entrant) const {
+    if (entrant.isArchive)
+        return sha256(key_ + "archive\n" + sha256(readFile(entrant.path)));
+    const Collected collected =
+        collect(grader_.tools().root, manifest_, submissionIn(entrant.path));
+    std::string text = key_;
+    for (const StagedFile& file : collected.stage.files)
+        text += file.name + " " + file.origin + " " + sha256(file.content) + "\n";
+    for (const std::string& name : collected.ignored)
+        text += "ignored " + name + "\n";
+    return sha256(text);
+}
+
+std::string keyOfRules(const Toolchain& tools, const Sandbox& sandbox, const Manifest& manifest,
+                       std::uint64_t seed) {
+    std::string text;
+    for (const std::string& each :
+         {sha256(readFile("/proc/self/exe")), tools.kitFingerprint, tools.compilerVersion,
+          tools.glmVersion, sandbox.name(), cpuModel(), std::to_string(seed),
+          sha256(readFile(tools.judge(manifest.id))), hashOfFolder(manifest.folder),
+          hashOfFolder(tools.root / "reference_images" / manifest.id),
+          hashOfFolder(tools.root / "solutions" / manifest.id)})
+        text += each + "\n";
+    return sha256(text);
+}
+
+}  // namespace grader

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "Fields.h"
+#include "Files.h"
+
+namespace grader {
+
+/// What a batch knows already: one folder for each submission, below `folder`/students. Crash-safe:
+/// files are replaced by rename, and the key, which says that the rest is whole, comes last.
+class Ledger {
+public:
+    explicit Ledger(fs::path folder) : folder_(std::move(folder)) {}
+
+    fs::path folderOf(const std::string& student) const { return folder_ / "students" / student; }
+
+    /// The result document that was kept under this key; nothing when there is none, it was kept
+    /// under another key, or cannot be read.
+    std::optional<Json> known(const std::string& student, const std::string& key) const;
+
+    /// Forgets what was known of the student: what follows is written anew.
+    void begin(const std::string& student) const;
+
+    /// Keeps a result. Without a key it is there to be read, and graded again the next time.
+    void keep(const std::string& student, const std::string& key, const std::string& result) const;
+
+private:
+    fs::path folder_;
+};
+
+}  // namespace grader
