@@ -19,6 +19,9 @@ using judge::Status;
 constexpr int kRunnerSeconds = 60;
 constexpr double kJudgeSeconds = kRunnerSeconds * double(protocol::kMostStretch);
 
+/// After so many frames that ran out of time, the others are not tried.
+constexpr int kMostLateFrames = 3;
+
 /// Only a renderer on the CPU gives the same picture everywhere.
 bool drawsOnTheCpu(const std::string& renderer) {
     return renderer.find("llvmpipe") != std::string::npos ||
@@ -215,13 +218,22 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     }
     request.kind = protocol::RequestKind::frame;
     request.seed = seed;
+    int late = 0;
     for (const Frame& frame : manifest.frames) {
+        if (late == kMostLateFrames) {
+            frames.byId[frame.id].verdict = {
+                Status::timeout, fmt::format("the frame was not drawn: {} before it ran out of "
+                                             "time",
+                                             kMostLateFrames)};
+            continue;
+        }
         request.name = frame.id;
         request.width = frame.width;
         request.height = frame.height;
         protocol::Answer answer = subject->ask(request);
         FrameOutcome& outcome = frames.byId[frame.id];
         outcome.todos = answer.todos;
+        late += answer.outcome == protocol::Outcome::timeout ? 1 : 0;
         const auto bytes = std::size_t(4) * static_cast<std::size_t>(frame.width) *
                            static_cast<std::size_t>(frame.height);
         if (answer.outcome == protocol::Outcome::ok && answer.payload.size() != bytes)
