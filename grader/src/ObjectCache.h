@@ -9,7 +9,8 @@ namespace grader {
 
 /// What the compiler made, kept under the hash of everything that went into it.
 ///
-/// Only successful results are kept, with what the compiler said. The kMostEntries that were used last stay.
+/// Only successful results are kept, with what the compiler said. The kMostEntries that were used
+/// last stay.
 class ObjectCache {
 public:
     static constexpr std::size_t kMostEntries = 400;
