@@ -17,7 +17,7 @@ namespace {
 using grader::Error;
 using grader::Fields;
 
-constexpr double kMostSeconds = 120;
+constexpr double kMostSeconds = 300;
 
 std::string randomWord(const std::string& prefix) {
     std::random_device device;
