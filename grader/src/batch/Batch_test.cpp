@@ -119,6 +119,7 @@ TEST_F(OverviewTest, ThePageEscapesLinksAndPutsFaultsOnTop) {
     EXPECT_THAT(page, HasSubstr("students/%3Dalpha%2C%20%22the%22%20%3Cb%3Efirst%3C/b%3E/report"));
     EXPECT_THAT(page, HasSubstr("<b>gamma</b>: a fault of the grader, no mark: no memory"));
     EXPECT_LT(page.find("a fault of the grader"), page.find("<table>"));
+    EXPECT_THAT(page, HasSubstr("mean 70.0 points")) << "only one has a mark";
     EXPECT_THAT(page, HasSubstr("not taken: list.txt"));
     EXPECT_THAT(page, HasSubstr("default-src 'none'"));
 }

@@ -77,11 +77,15 @@ std::map<std::string, double> pointsByTask(const Standing& standing) {
     return points;
 }
 
+/// Of those that have a mark.
 double meanOf(const std::vector<Standing>& standings) {
-    double sum = 0;
+    double sum = 0, marks = 0;
     for (const Standing& each : standings)
-        sum += each.points;
-    return standings.empty() ? 0 : sum / static_cast<double>(standings.size());
+        if (each.sentence.empty()) {
+            sum += each.points;
+            ++marks;
+        }
+    return marks > 0 ? sum / marks : 0;
 }
 
 }  // namespace
