@@ -1,5 +1,5 @@
-# The fuzzers are a project of their own, built by clang; each goes on from the inputs in corpus/ for
-# half a minute. What breaks one is written to build/…/fuzz/found.
+# The fuzzers are a project of their own, built by clang; each goes on from the inputs in corpus/, and
+# those that read text from all that students are given, for half a minute. What breaks one is written to build/…/fuzz/found.
 include(ExternalProject)
 
 ExternalProject_Add(fuzzers
@@ -21,10 +21,15 @@ foreach(name IN LISTS corpora)
     if(name STREQUAL image)
         set(leaks 0)
     endif()
+    set(given)
+    if(name MATCHES "^(manifest|source)$")
+        set(given ${PROJECT_SOURCE_DIR}/assignments)
+    endif()
     file(MAKE_DIRECTORY ${found} ${PROJECT_BINARY_DIR}/fuzz/new/${name})
     add_test(NAME fuzz.${name} COMMAND ${PROJECT_BINARY_DIR}/fuzz/fuzz_${name}
         -max_total_time=30 -timeout=10 -rss_limit_mb=2048 -artifact_prefix=${found}/${name}-
-        ${PROJECT_BINARY_DIR}/fuzz/new/${name} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name})
+        ${PROJECT_BINARY_DIR}/fuzz/new/${name} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name}
+        ${given})
     set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 300
         ENVIRONMENT ASAN_OPTIONS=detect_leaks=${leaks})
 endforeach()

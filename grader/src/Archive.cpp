@@ -5,6 +5,7 @@
 
 #include "Error.h"
 #include "Process.h"
+#include "unpack/Unpack.h"
 
 namespace grader {
 
@@ -12,8 +13,8 @@ namespace {
 
 constexpr int kSeconds = 20;
 constexpr int kMemoryMib = 512;
-constexpr int kMostMib = 200;  // as grader/unpack/Unpack.h has it
-constexpr std::uintmax_t kLargestArchive = std::uintmax_t(kMostMib) << 20;
+constexpr std::size_t kLargestArchive = unpack::Limits{}.bytes;
+constexpr int kMostMib = kLargestArchive >> 20;
 
 /// The only folder in `folder`, when there is nothing else but what operating systems leave.
 std::optional<fs::path> onlyFolderIn(const fs::path& folder) {

@@ -128,7 +128,7 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
 Json parseJson(const std::string& text, const std::string& path) {
     try {
         return Json::parse(text);
-    } catch (const nlohmann::json::parse_error& error) {
+    } catch (const nlohmann::json::exception& error) {  // a number may be too large, too
         throw Error("{}: not JSON: {}", path, error.what());
     }
 }

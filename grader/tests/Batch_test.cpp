@@ -89,12 +89,17 @@ TEST_F(BatchTest, EverySubmissionHasAResultAndIsGradedOnce) {
 }
 
 TEST_F(BatchTest, GoesOnWhereItWasKilled) {
-    const std::string grader = COURSE_GRADER;
-    lab::run({"timeout", "-s", "KILL", "4", grader, "batch", home().string(), "--assignment",
-              "06-rotation", "--out", out().string(), "--jobs", "1"},
+    // Killed as soon as the first of four is remembered.
+    lab::run({"bash", "-c",
+              "\"$0\" batch \"$1\" --assignment 06-rotation --out \"$2\" --jobs 1 & "
+              "until ls \"$2\"/students/*/key; do sleep 0.02; done; kill -9 $!",
+              COURSE_GRADER, home().string(), out().string()},
              60);
+    EXPECT_FALSE(fs::exists(out() / "results.json")) << "it was not killed in time";
     const Graded second = batch();
     EXPECT_EQ(second.exitCode, 0) << second.text;
+    EXPECT_THAT(second.text, HasSubstr("4/4"));
+    EXPECT_THAT(second.text, HasSubstr("(as before)")) << "the largest is begun first";
     EXPECT_EQ(student("honest").at("points"), 100.0);
     EXPECT_EQ(student("half").at("points"), 75.0);
 }

@@ -172,7 +172,7 @@ std::vector<Defence> defencesFrom(const Confession& said, const std::string& san
         "seccomp mode " + valueOf(said, "Seccomp"), "a kernel with CONFIG_SECCOMP_FILTER");
     add("capabilities", "no capabilities, no new ones",
         is("CapEff", "0000000000000000") && is("NoNewPrivs", "1"),
-        "CapEff " + valueOf(said, "CapEff"), "apt-get install bubblewrap util-linux");
+        "CapEff " + valueOf(said, "CapEff"), how);
     add("memory", "limits on memory and threads",
         !valueOf(said, "Memory").empty() && !is("Memory", "unlimited") &&
             !is("Threads", "unlimited"),
