@@ -31,14 +31,24 @@ grader_add_unit_tests(grader_unit_tests
         src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp
-        src/batch/Batch_test.cpp
+        src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Gradebook_test.cpp
+        src/batch/Similarity_test.cpp
         src/compare/FrameScore_test.cpp src/course/Course_test.cpp
-        src/doctor/Doctor_test.cpp
+        src/doctor/Doctor_test.cpp src/formats/Formats_test.cpp
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
         unpack/Unpack_test.cpp
-    LINK grader_course unpacking)
+    LINK grader_batch grader_course unpacking)
+
+# The runner's parent, watching a subject that does what no submission should.
+add_library(grader_greedy_subject MODULE testing/GreedySubject.cpp)
+target_include_directories(grader_greedy_subject PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(grader_greedy_subject PRIVATE cg protocol course_warnings)
+grader_add_unit_tests(runner_tests SOURCES runner/Child_test.cpp LINK runner_core)
+target_compile_definitions(runner_tests PRIVATE
+    GREEDY_SUBJECT="$<TARGET_FILE:grader_greedy_subject>")
+add_dependencies(runner_tests grader_greedy_subject)
 
 # The HTML report in a browser: reports by the grader itself, and one that has everything.
 add_executable(grader_sample_report testing/SampleReport.cpp)

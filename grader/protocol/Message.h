@@ -42,12 +42,12 @@ enum class Outcome : std::uint8_t {
     crash,      ///< a signal (`code`); `detail` says where, when that is known. Without a signal
                 ///< `detail` says what it did
     exited,     ///< the code ended its process with exit status `code`
-    timeout,
-    memory,    ///< `detail` is the limit, when that is known
-    output,    ///< printed too much, or what `detail` says
-    tampered,  ///< bytes that do not follow the protocol
-    unknown,   ///< the harness has no such function or frame, or another signature
-    faulty,    ///< the runner could not do its own work (no GL library, no memory to fork)
+    timeout,    ///< too long, or what `detail` says
+    memory,     ///< `detail` is the limit, when that is known
+    output,     ///< printed too much, or what `detail` says
+    tampered,   ///< bytes that do not follow the protocol
+    unknown,    ///< the harness has no such function or frame, or another signature
+    faulty,     ///< the runner could not do its own work (no GL library, no memory to fork)
 };
 
 struct Answer {

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -80,6 +81,10 @@ std::chrono::nanoseconds waitedForProcessor(pid_t pid) {
 
 /// Children that are meant to live.
 std::set<pid_t> living;
+
+double secondsOf(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+}
 
 std::string inMib(std::size_t bytes) {
     return std::to_string(bytes / (1024 * 1024)) + " MiB";
@@ -169,6 +174,12 @@ Answer Child::ask(const Request& request) {
             answer.detail =
                 "started more than " + std::to_string(allowance().threads) + " processes";
             break;
+        case Event::hoarding:
+            stop(false);
+            answer.outcome = Outcome::crash;
+            answer.detail = "opened all the " + std::to_string(allowance().openFiles) +
+                            " files that it may have open";
+            break;
     }
     if (answer.outcome == Outcome::memory)
         answer.detail = inMib(allowance().memoryBytes);
@@ -222,6 +233,8 @@ Child::Event Child::await(const Request& request, Bytes& body) {
                 break;
         }
         drainOutput();
+        if (holdsAllFiles())
+            return Event::hoarding;
         return printedBytes_ > request.outputBytes ? Event::flooded : Event::answered;
     }
 }
@@ -237,7 +250,13 @@ std::optional<Child::Event> Child::excessOfUse() const {
     constexpr std::size_t kOwnThreads = 2;  // this process, and bubblewrap's where it waits
     if (used.threads + kOwnThreads >= allowed.threads)
         return Event::crowded;
+    if (holdsAllFiles())
+        return Event::hoarding;
     return std::nullopt;
+}
+
+bool Child::holdsAllFiles() const {
+    return openFilesOf(pid_) >= allowance().openFiles;
 }
 
 void Child::drainOutput() {
@@ -258,17 +277,19 @@ int Child::stop(bool letItEnd) {
         return 0;
     const pid_t pid = std::exchange(pid_, -1);
     int status = 0;
+    rusage used{};
     bool ended = false;
     // A child that closed its channel is ending, or plays dead: it gets a moment, not more.
     for (int waited = 0; letItEnd && !ended && waited < 200; ++waited) {
-        ended = waitpid(pid, &status, WNOHANG) == pid;
+        ended = wait4(pid, &status, WNOHANG, &used) == pid;
         if (!ended)
             usleep(1000);
     }
     if (!ended) {
         kill(pid, SIGKILL);
-        waitpid(pid, &status, 0);
+        wait4(pid, &status, 0, &used);
     }
+    cpuSeconds_ = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
     living.erase(pid);
     killStrays(pid);
     return status;
@@ -300,6 +321,13 @@ Answer Child::explainEnd(int waitStatus) {
         if (answer.code == SIGXFSZ) {
             answer.outcome = Outcome::output;
             answer.detail = "wrote a file larger than " + inMib(allowance().fileBytes);
+            return answer;
+        }
+        const bool spent = cpuSeconds_ >= 0.95 * static_cast<double>(allowance().cpuSeconds);
+        if ((answer.code == SIGKILL || answer.code == SIGXCPU) && spent) {
+            answer.outcome = Outcome::timeout;
+            answer.detail = "used up the " + std::to_string(allowance().cpuSeconds) +
+                            " s of processor time that it may have";
             return answer;
         }
         std::vector<std::uint64_t> offsets(64);

@@ -28,12 +28,13 @@ public:
     bool alive() const { return pid_ > 0; }
 
 private:
-    enum class Event { answered, closed, late, flooded, greedy, crowded };
+    enum class Event { answered, closed, late, flooded, greedy, crowded, hoarding };
 
     Event await(const protocol::Request& request, protocol::Bytes& body);
     /// Whether the child and all that it started use more together than one process may.
     std::optional<Event> excessOfUse() const;
     void drainOutput();
+    bool holdsAllFiles() const;
     /// Kills the child with all it started, and reaps it. Returns the status of waitpid.
     int stop(bool letItEnd);
     protocol::Answer explainEnd(int waitStatus);
@@ -44,6 +45,7 @@ private:
     int channel_ = -1;
     int output_ = -1;
     int crash_ = -1;
+    double cpuSeconds_ = 0;         ///< of the child and what it waited for, once it has ended
     std::string printed_;           ///< the first part of what the child wrote
     std::size_t printedBytes_ = 0;  ///< all that it wrote in this request
 };

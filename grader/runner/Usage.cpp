@@ -44,10 +44,12 @@ Process processOf(pid_t id) {
     return process;
 }
 
+using Folder = std::unique_ptr<DIR, int (*)(DIR*)>;
+
 /// All that can be seen. The kernel's own lists of children are not in every kernel.
 std::vector<Process> allProcesses() {
     std::vector<Process> all;
-    const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir("/proc"), closedir);
+    const Folder folder(opendir("/proc"), closedir);
     while (const dirent* entry = folder ? readdir(folder.get()) : nullptr)
         if (const auto id = static_cast<pid_t>(std::atoi(entry->d_name)); id > 0)
             all.push_back(processOf(id));
@@ -90,8 +92,17 @@ std::vector<pid_t> childrenOfThisProcess() {
     return children;
 }
 
+std::size_t openFilesOf(pid_t process) {
+    const Folder folder(opendir(("/proc/" + std::to_string(process) + "/fd").c_str()), closedir);
+    std::size_t count = 0;
+    while (const dirent* entry = folder ? readdir(folder.get()) : nullptr)
+        count += entry->d_name[0] != '.';
+    return count;
+}
+
 Allowance allowance() {
-    return {limitOf(RLIMIT_AS), limitOf(RLIMIT_NPROC), limitOf(RLIMIT_FSIZE)};
+    return {limitOf(RLIMIT_AS), limitOf(RLIMIT_NPROC), limitOf(RLIMIT_FSIZE),
+            limitOf(RLIMIT_NOFILE), limitOf(RLIMIT_CPU)};
 }
 
 }  // namespace runner

@@ -20,9 +20,12 @@ Usage usageWithout(const std::vector<pid_t>& spared);
 /// Processes whose parent this one is, or became when theirs died.
 std::vector<pid_t> childrenOfThisProcess();
 
+/// Descriptors that a process has open; 0 where that cannot be seen.
+std::size_t openFilesOf(pid_t process);
+
 /// What this process may use; its children inherit it.
 struct Allowance {
-    std::size_t memoryBytes, threads, fileBytes;
+    std::size_t memoryBytes, threads, fileBytes, openFiles, cpuSeconds;
 };
 Allowance allowance();
 

@@ -92,6 +92,8 @@ Verdict explain(const std::string& what, const protocol::Request& request,
             return {Status::crash, fmt::format("{} ended the whole program with exit status {}",
                                                what, answer.code)};
         case Outcome::timeout:
+            if (!detail.empty())
+                return {Status::timeout, fmt::format("{} {}", what, detail)};
             return {Status::timeout, fmt::format("{} did not finish within {:g} s: look for a loop "
                                                  "that never ends",
                                                  what, request.timeoutMs / 1000.0)};

@@ -83,6 +83,8 @@ TEST(Explain, LeavingWithSuccessIsTamperingAndWithFailureACrash) {
 TEST(Explain, LimitsAreNamed) {
     EXPECT_EQ(explained(Outcome::timeout).status, Status::timeout);
     EXPECT_THAT(explained(Outcome::timeout).message, HasSubstr("within 2.5 s"));
+    EXPECT_EQ(explained(Outcome::timeout, 0, "used up the 60 s of processor time").message,
+              "turn used up the 60 s of processor time");
     const Verdict memory = explained(Outcome::memory, 0, "1024 MiB");
     EXPECT_EQ(memory.status, Status::memory);
     EXPECT_THAT(memory.message, HasSubstr("more memory than it may have (1024 MiB)"));

@@ -1,0 +1,20 @@
+// A subject whose functions take more than they may have: what Child_test.cpp runs.
+
+#include <fcntl.h>
+
+#include "runner/Harness.h"
+
+CG_HARNESS(harness) {
+    harness.function("modest", [](int value) { return value + 1; });
+    harness.function("spin", [](int value) {
+        volatile int turns = value;
+        while (turns >= 0)
+            turns = turns ^ 1;
+        return 0;
+    });
+    harness.function("hoard", [](int value) {
+        while (open("/dev/null", O_RDONLY | O_CLOEXEC) >= 0) {
+        }
+        return value;
+    });
+}
