@@ -55,8 +55,17 @@ std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine);
 /// How long a sandbox may take to start: a crowded machine must not pass for one without any.
 inline constexpr double kSandboxPatience = 60.0;
 
-/// Bubblewrap where it works, else a plain process.
-std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine);
+struct SandboxWish {
+    bool none = false;       ///< --no-sandbox: a plain process, whatever the machine has
+    bool strangers = false;  ///< other people's code is run, and nobody watches
+};
+
+/// Bubblewrap where it works, else a plain process. Throws Error where strangers' code would run as
+/// the grader's own user, unless none was wished for.
+std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish = {});
+
+/// Whether a CI system runs this: it sets CI, to anything but "false".
+bool runsInCi();
 
 /// The user that the programs of one job run as when the grader was started by root: one without a
 /// name, whom no other job on this machine has at the same time, so that the limits and files of

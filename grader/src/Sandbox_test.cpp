@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 #include "Error.h"
@@ -323,6 +325,37 @@ TEST(ChooseSandbox, TakesBubblewrapWhereItRuns) {
     const bool works =
         run(makeBubblewrap(tree / "confine")->confine(nothing, {"true"}), 10).succeeded();
     EXPECT_EQ(chosen->name(), works ? "bubblewrap" : "plain");
+}
+
+/// In a process of its own: as an ordinary user where no sandbox can be started.
+[[noreturn]] void chooseWithoutAny(SandboxWish wish) {
+    if (geteuid() == 0 && setuid(kSomeUser) != 0)
+        _exit(9);
+    try {
+        std::cerr << chooseSandbox("/nowhere/confine", wish)->name();
+    } catch (const Error& error) {
+        std::cerr << error.what();
+    }
+    _exit(0);
+}
+
+TEST(ChooseSandbox, RefusesStrangersWhereNothingHoldsThem) {
+    const testing::ExitedWithCode ended(0);
+    EXPECT_EXIT(chooseWithoutAny({}), ended, "plain");
+    EXPECT_EXIT(chooseWithoutAny({.strangers = true}), ended, "insist with --no-sandbox");
+    EXPECT_EXIT(chooseWithoutAny({.none = true, .strangers = true}), ended, "plain");
+}
+
+TEST(RunsInCi, IsWhatTheVariableSays) {
+    const char* before = std::getenv("CI");
+    const std::string kept = before ? before : "";
+    setenv("CI", "true", 1);
+    EXPECT_TRUE(runsInCi());
+    setenv("CI", "false", 1);
+    EXPECT_FALSE(runsInCi());
+    setenv("CI", "", 1);
+    EXPECT_FALSE(runsInCi());
+    setenv("CI", kept.c_str(), 1);
 }
 
 TEST(ShareWithSandbox, GivesTheFolderAndAllInItToItsUser) {

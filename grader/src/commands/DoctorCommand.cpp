@@ -15,8 +15,7 @@ void addDoctorCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--no-sandbox", noSandbox, "as with ./grade --no-sandbox");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
-        const auto sandbox =
-            noSandbox ? makePlainProcess(tools.confine()) : chooseSandbox(tools.confine());
+        const auto sandbox = chooseSandbox(tools.confine(), {.none = noSandbox});
         const Diagnosis diagnosis = diagnose(tools, *sandbox);
         std::cout << (json ? diagnosis.json() : diagnosis.text());
         exitCode = diagnosis.allActive() ? kFullMarks : kSomethingLost;

@@ -120,7 +120,7 @@ int exitCodeOf(const std::vector<AssignmentResult>& results) {
 int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const auto sandbox =
-        options.noSandbox ? makePlainProcess(tools.confine()) : chooseSandbox(tools.confine());
+        chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = runsInCi()});
     const Selection selection = select(tools, *sandbox, options);
     const Grader grader(tools, *sandbox, {.context = options.context});
 
