@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 
 #include "Error.h"
 #include "Regions.h"
@@ -22,6 +23,25 @@ constexpr double kMostSeconds = 300;
 std::string randomWord(const std::string& prefix) {
     std::random_device device;
     return prefix + fmt::format("{:08x}{:08x}", device(), device());
+}
+
+/// The lines of all hidden tests that could stand nowhere else.
+std::vector<std::string> linesOfHiddenTests() {
+    constexpr std::size_t kLong = 40;
+    std::vector<std::string> lines;
+    for (const auto& entry : fs::recursive_directory_iterator(lab::root() / "solutions")) {
+        if (entry.path().parent_path().filename() != "hidden_tests" || !entry.is_regular_file())
+            continue;
+        std::istringstream file(grader::readFile(entry.path()));
+        for (std::string line; std::getline(file, line);) {
+            line.erase(0, line.find_first_not_of(' '));
+            if (line.size() >= kLong && !line.starts_with("//"))
+                lines.push_back(line);
+        }
+    }
+    if (lines.empty())
+        throw Error("{} has no hidden test", (lab::root() / "solutions").string());
+    return lines;
 }
 
 Case readCase(const fs::path& folder) {
@@ -106,6 +126,8 @@ std::vector<Case> readCases(const fs::path& home, const std::string& only) {
 World::World() {
     secrets_ = {randomWord("secret_beside_"), randomWord("secret_of_the_neighbour_"),
                 randomWord("secret_of_the_environment_")};
+    const auto hidden = linesOfHiddenTests();
+    secrets_.insert(secrets_.end(), hidden.begin(), hidden.end());
     fs::permissions(folder(), fs::perms(0755));
     grader::writeFile(folder() / "secret.txt", secrets_[0] + "\n");
     const std::string file = "06-rotation/rotation.cpp";
@@ -209,7 +231,7 @@ std::vector<std::string> complaintsAbout(const Shown& shown, const Case& attack,
     for (const auto& [where, text] : places) {
         for (const std::string& secret : secrets)
             if (holds(text, secret))
-                complaints.push_back(fmt::format("a secret is in the {}", where));
+                complaints.push_back(fmt::format("a secret is in the {}: {}", where, secret));
         for (const std::string& hidden : attack.hides)
             if (holds(text, hidden))
                 complaints.push_back(fmt::format("\"{}\" is in the {}", hidden, where));

@@ -40,8 +40,8 @@ public:
     /// has made one (archive.*).
     fs::path prepare(const Case& attack, const fs::path& target) const;
 
-    /// Texts that must occur nowhere, and are planted beside the submission, in a neighbour's
-    /// files and in the grader's environment.
+    /// Texts that must occur nowhere: planted beside the submission, in a neighbour's files and in
+    /// the grader's environment; and every long line of the hidden tests.
     const std::vector<std::string>& secrets() const { return secrets_; }
     /// Whether there is nothing in its folder but what it put there, and no /tmp/left-behind.
     bool isUntouched() const;

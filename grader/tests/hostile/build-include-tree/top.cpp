@@ -1,4 +1,4 @@
-#if __INCLUDE_LEVEL__ < 26
+#if __INCLUDE_LEVEL__ < 60
 #include "rotation.cpp"
 #include "rotation.cpp"
 #endif
