@@ -29,7 +29,7 @@ new_case() {
     touch -d '2021-01-01' "$browser_tests/package-lock.json"
     cp -r "$repository/grade" "$repository/test" "$repository/scripts" "$repository/.ci" "$checkout"
     local tool
-    for tool in awk bash cat cp dirname env find flock grep mkdir nproc readlink rm sed sh stat \
+    for tool in awk bash cat cp dirname env find flock grep mkdir nproc perl readlink rm sed sh stat \
         tail touch; do
         ln -s "$(command -v "$tool")" "$case/bin/$tool"
     done
