@@ -43,7 +43,7 @@ TEST(Draw, Figure) {
         }
     }
     const std::string found =
-        say("found {} draws: {} cubes, {} teapots, {} bunnies", int(census.draws.size()),
+        say("found draws: {} (cubes: {}, teapots: {}, bunnies: {})", int(census.draws.size()),
             int(of[0].size()), int(of[1].size()), int(of[2].size()));
     if (expectThat(
             "nine models",

@@ -58,7 +58,7 @@ inline bool expectDraws(const std::vector<Expected>& expected,
                         const judge::Census<std::vector<int>>& census, float allowed = tolerance) {
     std::vector<judge::Draw> left = census.draws;
     const std::string count = judge::say(
-        "{} models are drawn, expected {}: ", int(census.draws.size()), int(expected.size()));
+        "models drawn: {}, expected {}: ", int(census.draws.size()), int(expected.size()));
     for (const Expected& model : expected) {
         const auto vao = unsigned(census.result.at(std::size_t(model.geometry)));
         const auto found = std::find_if(left.begin(), left.end(), [&](const judge::Draw& draw) {

@@ -51,7 +51,10 @@ std::string nameOf(Status status) {
 
 std::string showPoints(double points) {
     // Cut, not rounded up: what is not everything must not read as everything.
-    return fmt::format("{:g}", std::floor(points * 10 + 1e-6) / 10);
+    const double tenths = std::floor(points * 10 + 1e-6) / 10;
+    // And what is not nothing must not read as nothing.
+    return tenths > 0 || points < 1e-6 ? fmt::format("{:g}", tenths)
+                                       : fmt::format("{:.1g}", points);
 }
 
 std::string scoreText(double points, double most) {

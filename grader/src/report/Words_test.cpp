@@ -29,6 +29,8 @@ TEST(ShowPoints, IsNeverRoundedUp) {
     EXPECT_EQ(showPoints(99.99), "99.9");
     EXPECT_EQ(showPoints(9.96), "9.9");
     EXPECT_EQ(showPoints(5.94), "5.9");
+    EXPECT_EQ(showPoints(0.04), "0.04") << "a little is not nothing";
+    EXPECT_EQ(showPoints(1e-9), "0");
     EXPECT_EQ(showPoints(0.3), "0.3") << "though 0.3 * 10 is not 3";
     EXPECT_EQ(showPoints(100.0 / 3 + 100.0 / 3 + 100.0 / 3), "100") << "but noise is not a loss";
     EXPECT_EQ(showPoints(0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1 + 0.1), "1");
