@@ -30,35 +30,29 @@ std::optional<fs::path> onlyFolderIn(const fs::path& folder) {
     return only;
 }
 
-}  // namespace
-
-Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
-                       const fs::path& archive, const std::vector<std::string>& known) {
-    Unpacked unpacked{job.work.path() / "unpacked", "", ""};
-    std::error_code failed;
-    if (fs::file_size(archive, failed) > kLargestArchive && !failed) {
-        unpacked.refusal = fmt::format("it is larger than {} MiB", kMostMib);
-        return unpacked;
-    }
-    const fs::path copy = job.work.path() / "archive" / "file";
-    fs::create_directories(copy.parent_path());
-    fs::create_directories(unpacked.folder);
-    fs::copy_file(archive, copy, failed);
-    if (failed)
-        throw Error("{} cannot be read: {}", archive.string(), failed.message());
-    shareWithSandbox(copy.parent_path(), job.user.id(), false);
-    shareWithSandbox(unpacked.folder, job.user.id(), true);
-
+Confinement confinementOf(const Job& job) {
     Confinement confinement;
-    confinement.readable = {tools.kit, copy.parent_path()};
-    confinement.writable = {unpacked.folder};
-    confinement.workingFolder = unpacked.folder;
     confinement.user = job.user.id();
     confinement.limits.cpuSeconds = kSeconds;
     confinement.limits.memoryMib = kMemoryMib;
     confinement.limits.fileMib = kMostMib;
+    return confinement;
+}
+
+/// Unpacks the file job/archive/file, which the sandbox may read already.
+Unpacked unpackFile(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                    const std::string& name, const std::vector<std::string>& known) {
+    Unpacked unpacked{job.work.path() / "unpacked", "", ""};
+    const fs::path file = job.work.path() / "archive" / "file";
+    fs::create_directories(unpacked.folder);
+    shareWithSandbox(unpacked.folder, job.user.id(), true);
+
+    Confinement confinement = confinementOf(job);
+    confinement.readable = {tools.kit, file.parent_path()};
+    confinement.writable = {unpacked.folder};
+    confinement.workingFolder = unpacked.folder;
     const ProcessResult ran =
-        run(sandbox.confine(confinement, {tools.unpack().string(), copy.string(), unpacked.folder}),
+        run(sandbox.confine(confinement, {tools.unpack().string(), file.string(), unpacked.folder}),
             3 * kSeconds);
     if (ran.timedOut || ran.signal != 0)
         unpacked.refusal = fmt::format("it could not be unpacked within {} s and {} MiB of memory",
@@ -66,17 +60,102 @@ Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job
     else if (ran.exitCode == 1)
         unpacked.refusal = ran.output.substr(0, ran.output.find('\n'));
     else if (ran.exitCode != 0)
-        throw Error("{} cannot be unpacked: {}", archive.string(), ran.output);
+        throw Error("{} cannot be unpacked: {}", name, ran.output);
     while (const auto only =
                unpacked.refusal.empty() ? onlyFolderIn(unpacked.folder) : std::nullopt) {
-        const std::string name = only->filename().string();
-        if (std::find(known.begin(), known.end(), name) != known.end())
+        const std::string inner = only->filename().string();
+        if (std::find(known.begin(), known.end(), inner) != known.end())
             break;
         unpacked.folder = *only;
         unpacked.notice +=
-            (unpacked.notice.empty() ? "taken out of the archive's folder " : "/") + name;
+            (unpacked.notice.empty() ? "taken out of the archive's folder " : "/") + inner;
     }
     return unpacked;
+}
+
+/// Copies regular files, nothing else. False when they are larger together than an archive may be.
+bool copyRegularFiles(const fs::path& from, const fs::path& to, std::uintmax_t& bytes) {
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(from)) {
+        const fs::path target = to / entry.path().filename();
+        const auto type = entry.symlink_status().type();
+        if (type == fs::file_type::directory) {
+            if (!copyRegularFiles(entry.path(), target, bytes))
+                return false;
+        } else if (type == fs::file_type::regular) {
+            bytes += entry.file_size();
+            if (bytes > kLargestArchive)
+                return false;
+            fs::copy_file(entry.path(), target);
+        }
+    }
+    return true;
+}
+
+/// Of a repository what a commit is made of: no hook, no configuration, no link to another one.
+bool copyCommits(const fs::path& repository, const fs::path& target) {
+    std::uintmax_t bytes = 0;
+    fs::create_directories(target);
+    for (const char* each : {"HEAD", "packed-refs", "shallow"})
+        if (fs::is_regular_file(fs::symlink_status(repository / each)))
+            fs::copy_file(repository / each, target / each);
+    for (const char* each : {"objects", "refs"})
+        if (fs::is_directory(fs::symlink_status(repository / each)) &&
+            !copyRegularFiles(repository / each, target / each, bytes))
+            return false;
+    fs::create_directories(target / "refs");
+    fs::create_directories(target / "objects");
+    fs::remove(target / "objects/info/alternates");
+    return true;
+}
+
+}  // namespace
+
+std::optional<fs::path> repositoryIn(const fs::path& folder) {
+    for (const fs::path& each : {folder / ".git", folder})
+        if (fs::is_regular_file(fs::symlink_status(each / "HEAD")) &&
+            fs::is_directory(fs::symlink_status(each / "objects")) &&
+            fs::is_directory(fs::symlink_status(each / "refs")) &&
+            fs::is_directory(fs::symlink_status(each)))
+            return each;
+    return std::nullopt;
+}
+
+Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                       const fs::path& archive, const std::vector<std::string>& known) {
+    std::error_code failed;
+    if (fs::file_size(archive, failed) > kLargestArchive && !failed)
+        return {{}, fmt::format("it is larger than {} MiB", kMostMib), ""};
+    const fs::path copy = job.work.path() / "archive" / "file";
+    fs::create_directories(copy.parent_path());
+    fs::copy_file(archive, copy, failed);
+    if (failed)
+        throw Error("{} cannot be read: {}", archive.string(), failed.message());
+    shareWithSandbox(copy.parent_path(), job.user.id(), false);
+    return unpackFile(tools, sandbox, job, archive.string(), known);
+}
+
+Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                     const fs::path& repository, const std::vector<std::string>& known) {
+    const fs::path bare = job.work.path() / "repository", made = job.work.path() / "archive";
+    if (!copyCommits(repository, bare))
+        return {{}, fmt::format("its history is larger than {} MiB", kMostMib), ""};
+    fs::create_directories(made);
+    shareWithSandbox(bare, job.user.id(), true);
+    shareWithSandbox(made, job.user.id(), true);
+    Confinement confinement = confinementOf(job);
+    confinement.readable = {bare};
+    confinement.writable = {made};
+    confinement.workingFolder = made;
+    confinement.environment = {"GIT_CONFIG_NOSYSTEM=1", "GIT_CONFIG_GLOBAL=/dev/null"};
+    const ProcessResult ran =
+        run(sandbox.confine(confinement,
+                            {"git", "-c", "safe.directory=*", "--git-dir=" + bare.string(),
+                             "archive", "--format=tar", "-o", (made / "file").string(), "HEAD"}),
+            3 * kSeconds);
+    if (!ran.succeeded())
+        return {{}, "git cannot read its commit HEAD", ""};
+    return unpackFile(tools, sandbox, job, repository.string(), known);
 }
 
 }  // namespace grader

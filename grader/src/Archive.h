@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "Build.h"
 
 namespace grader {
@@ -16,5 +18,13 @@ struct Unpacked {
 /// taken, and said. Throws Error when the file cannot be read.
 Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
                        const fs::path& archive, const std::vector<std::string>& known);
+
+/// The git repository of a clone, or of a bare one; nothing where the folder is neither.
+std::optional<fs::path> repositoryIn(const fs::path& folder);
+
+/// The same with the commit that a git repository's HEAD names. Git runs in the sandbox, on a copy
+/// of the objects and references alone: no hook or configuration of the repository is ever there.
+Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                     const fs::path& repository, const std::vector<std::string>& known);
 
 }  // namespace grader

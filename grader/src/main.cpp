@@ -9,6 +9,7 @@
 #include "commands/CourseCommands.h"
 #include "commands/DeveloperCommands.h"
 #include "commands/DoctorCommand.h"
+#include "commands/ExportCommand.h"
 #include "commands/GradeCommand.h"
 
 namespace {
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
     grader::addBatchCommand(app, exitCode);
+    grader::addExportCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
     grader::addWindowCommand(app, exitCode);

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <thread>
 
-#include "Archive.h"
 #include "Error.h"
 #include "report/HtmlReport.h"
 
@@ -15,9 +14,14 @@ namespace {
 /// How much there is to read: what takes long is begun first.
 std::uintmax_t sizeOf(const Entrant& entrant) {
     std::error_code unknown;
-    if (entrant.isArchive)
+    if (entrant.kind == EntrantKind::archive)
         return fs::file_size(entrant.path, unknown);
     std::uintmax_t sum = 0;
+    if (entrant.kind == EntrantKind::looseFiles) {
+        for (const LooseFile& each : entrant.files)
+            sum += fs::file_size(each.path, unknown);
+        return sum;
+    }
     for (auto each = fs::recursive_directory_iterator(entrant.path, unknown);
          !unknown && each != fs::recursive_directory_iterator(); each.increment(unknown))
         if (each->is_regular_file(unknown))
@@ -38,8 +42,17 @@ std::string hashOfFolder(const fs::path& folder) {
     return sha256(text);
 }
 
-Standing standingFrom(const std::string& student, Json document) {
-    Standing standing{student, document.at("status"), "", 0, 0, nullptr, false};
+/// Which commit a repository's HEAD names, however it does.
+std::string hashOfReferences(const fs::path& repository) {
+    std::string text;
+    for (const char* each : {"HEAD", "packed-refs"})
+        if (fs::is_regular_file(fs::symlink_status(repository / each)))
+            text += sha256(readFile(repository / each)) + "\n";
+    return sha256(text + hashOfFolder(repository / "refs"));
+}
+
+Standing standingFrom(const std::string& entrant, Json document) {
+    Standing standing{entrant, document.at("status"), "", 0, 0, nullptr, false};
     if (standing.status == "refused") {
         standing.sentence = document.at("sentence");
     } else {
@@ -121,27 +134,77 @@ Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
 
 Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const {
     const Job unpacking;
-    Unpacked unpacked{entrant.path, "", ""};
-    if (entrant.isArchive)
-        unpacked = unpackArchive(grader_.tools(), sandbox_, unpacking, entrant.path, known_);
+    const Unpacked unpacked = laidOut(entrant, unpacking);
     if (!unpacked.refusal.empty()) {
-        Json document = {{"format", 1},
-                         {"assignment", manifest_.id},
-                         {"status", "refused"},
-                         {"sentence", "the archive is refused: " + unpacked.refusal}};
+        Json document = {
+            {"format", 1},
+            {"assignment", manifest_.id},
+            {"status", "refused"},
+            {"sentence", fmt::format("the {} is refused: {}",
+                                     entrant.kind == EntrantKind::clone ? "repository" : "archive",
+                                     unpacked.refusal)}};
         ledger_.keep(entrant.name, key, document.dump(2) + "\n");
         return standingFrom(entrant.name, std::move(document));
     }
-    std::vector<AssignmentResult> results = {
-        grader_.grade(manifest_, submissionIn(unpacked.folder), seed_)};
+    const Submission submission = submissionIn(unpacked.folder);
+    std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, seed_)};
     if (!unpacked.notice.empty())
         results.front().notices.push_back(unpacked.notice);
-    const fs::path report = ledger_.folderOf(entrant.name) / "report";
-    writeReportPictures(results, report);
-    writeFile(report / "index.html", htmlReport(results, report));
+    writeReports(results, entrant.name);
+    ledger_.keepPrint(printOf(entrant.name, submission));
     const std::string document = toJson(results.front());
     ledger_.keep(entrant.name, results.front().graderFailed() ? "" : key, document);
     return standingFrom(entrant.name, Json::parse(document));
+}
+
+Print Batch::printOf(const std::string& entrant, const Submission& submission) const {
+    const fs::path& root = grader_.tools().root;
+    Print print{entrant, {}, ""};
+    std::string words;
+    for (const StagedFile& file : collect(root, manifest_, submission).stage.files) {
+        if (file.role != Role::own || file.origin != "submission")
+            continue;
+        words += wordsOf(file.content) + "\n";
+        print.own.merge(fingerprintsOf(file.content));
+    }
+    for (const std::string& name : manifest_.submit)
+        for (const std::uint64_t each : fingerprintsOf(readFile(manifest_.folder / name)))
+            print.own.erase(each);
+    print.exact = sha256(words);
+    return print;
+}
+
+/// Where the submission's files are, as a folder.
+Unpacked Batch::laidOut(const Entrant& entrant, const Job& job) const {
+    const Toolchain& tools = grader_.tools();
+    switch (entrant.kind) {
+        case EntrantKind::archive:
+            return unpackArchive(tools, sandbox_, job, entrant.path, known_);
+        case EntrantKind::clone:
+            return unpackClone(tools, sandbox_, job, entrant.path, known_);
+        case EntrantKind::looseFiles: {
+            const fs::path folder = job.work.path() / "submission";
+            fs::create_directories(folder);
+            for (const LooseFile& each : entrant.files)
+                fs::copy_file(each.path, folder / each.name);
+            return {folder, "", ""};
+        }
+        case EntrantKind::folder:
+            break;
+    }
+    return {entrant.path, "", ""};
+}
+
+void Batch::writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const {
+    if (seed_ != kPublishedSeed) {
+        const fs::path full = ledger_.instructorFolderOf(entrant) / "report";
+        writeReportPictures(results, full);
+        writeFile(full / "index.html", htmlReport(results, full));
+        takeReferencesOut(results);
+    }
+    const fs::path report = ledger_.folderOf(entrant) / "report";
+    writeReportPictures(results, report);
+    writeFile(report / "index.html", htmlReport(results, report));
 }
 
 Submission Batch::submissionIn(const fs::path& folder) const {
@@ -152,16 +215,26 @@ Submission Batch::submissionIn(const fs::path& folder) const {
 }
 
 std::string Batch::keyOf(const Entrant& entrant) const {
-    if (entrant.isArchive)
-        return sha256(key_ + "archive\n" + sha256(readFile(entrant.path)));
+    std::string files = key_;
+    switch (entrant.kind) {
+        case EntrantKind::archive:
+            return sha256(key_ + "archive\n" + sha256(readFile(entrant.path)));
+        case EntrantKind::clone:
+            return sha256(key_ + "clone\n" + hashOfReferences(entrant.path));
+        case EntrantKind::looseFiles:
+            for (const LooseFile& each : entrant.files)
+                files += each.name + " " + sha256(readFile(each.path)) + "\n";
+            return sha256(files);
+        case EntrantKind::folder:
+            break;
+    }
     const Collected collected =
         collect(grader_.tools().root, manifest_, submissionIn(entrant.path));
-    std::string text = key_;
     for (const StagedFile& file : collected.stage.files)
-        text += file.name + " " + file.origin + " " + sha256(file.content) + "\n";
+        files += file.name + " " + file.origin + " " + sha256(file.content) + "\n";
     for (const std::string& name : collected.ignored)
-        text += "ignored " + name + "\n";
-    return sha256(text);
+        files += "ignored " + name + "\n";
+    return sha256(files);
 }
 
 std::string keyOfRules(const Toolchain& tools, const Sandbox& sandbox, const Manifest& manifest,

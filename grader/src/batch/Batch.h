@@ -4,6 +4,7 @@
 #include <functional>
 #include <mutex>
 
+#include "Archive.h"
 #include "Grade.h"
 #include "batch/Intake.h"
 #include "batch/Ledger.h"
@@ -12,7 +13,7 @@ namespace grader {
 
 /// What became of one submission of a batch.
 struct Standing {
-    std::string student;
+    std::string entrant;   ///< its name
     std::string status;    ///< of the result document, or "refused", or "grader_error"
     std::string sentence;  ///< why it was refused, or what the grader's fault was
     double points = 0, maxPoints = 0;
@@ -26,7 +27,8 @@ struct Standing {
 /// Theory of operation. Each worker is a thread that takes the next submission, largest first, and
 /// waits for the sandboxed processes that grade it; it holds one submission's pictures at a time.
 /// What is known under the same key (Ledger) is not graded again. A fault of the grader's is tried
-/// once more, then said, and never remembered.
+/// once more, then said, and never remembered. A seed that is not published stays so: the report
+/// for a student has no reference in it, and a second one beside the students' folders has.
 class Batch {
 public:
     /// `key`: of all that decides results beside the submission itself. All must outlive this.
@@ -42,6 +44,9 @@ public:
 private:
     Standing standingOf(const Entrant& entrant, bool fresh) const;
     Standing gradeOnce(const Entrant& entrant, const std::string& key) const;
+    Print printOf(const std::string& entrant, const Submission& submission) const;
+    Unpacked laidOut(const Entrant& entrant, const Job& job) const;
+    void writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const;
     Submission submissionIn(const fs::path& folder) const;
     std::string keyOf(const Entrant& entrant) const;
 

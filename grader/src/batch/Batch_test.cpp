@@ -43,7 +43,7 @@ TEST(Intake, TakesFoldersAndArchivesAndNamesTheRest) {
     const Intake intake = takenIn(tree);
     std::vector<std::string> found;
     for (const Entrant& each : intake.entrants)
-        found.push_back(each.name + (each.isArchive ? " archive " : " folder ") +
+        found.push_back(each.name + (each.kind == EntrantKind::archive ? " archive " : " folder ") +
                         each.path.filename().string());
     EXPECT_THAT(found, ElementsAre("alpha archive alpha.tar.gz", "beta folder beta",
                                    "delta folder delta", "gamma archive work.zip"));
@@ -92,42 +92,98 @@ TEST(Progress, ForeseesTheEnd) {
 
 class OverviewTest : public testing::Test {
 protected:
-    Overview overview() const { return {manifest_, standings_, ignored_, 7, "bubblewrap"}; }
+    OverviewTest() {
+        marks_.resize(3);
+        Mark& alpha = marks_[0];
+        alpha.student = {"=alpha", "\"the\" <b>first</b>", "", "B"};
+        alpha.submission = "a, <i>";
+        alpha.status = "graded";
+        alpha.tasks = {{"cross-matrix", 40, 40, 40, ""}, {"rotation", 30, 20, 60, "copied"}};
+        alpha.automatic = 70;
+        alpha.points = 54;
+        alpha.maxPoints = 100;
+        alpha.lateness = {true, 2, 10, "2 days late"};
+        alpha.warnings = {"rotation: look again"};
+        alpha.result =
+            Json{{"tasks",
+                  {{{"id", "rotation"},
+                    {"recognised", {{"says", "You turn clockwise."}}},
+                    {"checks",
+                     {{{"id", "turned"},
+                       {"title", "Turned <cube>"},
+                       {"status", "fail"},
+                       {"points", 0},
+                       {"max_points", 5},
+                       {"images", {{"submission", "06-rotation/turned.submission.png"}}}}}}}}}};
+        marks_[1].student.id = "beta";
+        marks_[1].status = "refused";
+        marks_[1].sentence = "the archive is refused: it is encrypted";
+        marks_[2].student.id = "gamma";
+        marks_[2].status = "grader_error";
+        marks_[2].sentence = "no memory";
+        for (Mark* each : {&marks_[1], &marks_[2]})
+            each->tasks = {{"cross-matrix", 0, 0, 40, ""}, {"rotation", 0, 0, 60, ""}};
+        manifest_.frames.resize(1);
+        manifest_.frames[0].id = "turned";
+        for (const char* whose : {"students", "instructor"})
+            tree_.write(std::string(whose) + "/a, <i>/report/index.html", "");
+        tree_.write("instructor/a, <i>/report/06-rotation/turned.reference.png", "");
+    }
+    Overview overview() const {
+        return {manifest_, marks_, notTaken_, alike_, 7, "bubblewrap", "g++ 12", "a cpu"};
+    }
 
+    Tree tree_;
     Manifest manifest_ = someManifest();
-    std::vector<Standing> standings_ = {
-        {"=alpha, \"the\" <b>first</b>", "graded", "", 70, 100,
-         Json{{"tasks",
-               {{{"id", "cross-matrix"}, {"points", 40}}, {{"id", "rotation"}, {"points", 30}}}}},
-         false},
-        {"beta", "refused", "the archive is refused: it is encrypted", 0, 0, Json::object(), false},
-        {"gamma", "grader_error", "no memory", 0, 0, nullptr, false}};
-    std::vector<std::string> ignored_ = {"list.txt: neither a folder nor an archive"};
+    std::vector<Mark> marks_;
+    std::vector<std::string> notTaken_ = {"list.txt: neither a folder nor an archive"};
+    std::vector<Likeness> alike_ = {{"a, <i>", "beta", 0.93, false}};
 };
 
 TEST_F(OverviewTest, TheTableQuotesAndHasAColumnForEachTask) {
-    EXPECT_EQ(overview().csv(),
-              "student,status,points,max_points,cross-matrix,rotation,sentence\r\n"
-              "\"'=alpha, \"\"the\"\" <b>first</b>\",graded,70.00,100.00,40.00,30.00,\r\n"
-              "beta,refused,0.00,0.00,,,the archive is refused: it is encrypted\r\n"
-              "gamma,grader_error,0.00,0.00,,,no memory\r\n");
+    EXPECT_EQ(
+        overview().csv(),
+        "student,name,section,submission,status,points,max_points,days_late,cross-matrix,"
+        "rotation,sentence,remarks\r\n"
+        "'=alpha,\"\"\"the\"\" <b>first</b>\",B,\"a, <i>\",graded,54.00,100.00,2,40.00,20.00,,"
+        "\"rotation: 20 of 60 points by a person's decision, in place of 30: copied | 2 days "
+        "late\"\r\n"
+        "beta,,,,refused,0.00,0.00,0,0.00,0.00,the archive is refused: it is encrypted,\r\n"
+        "gamma,,,,grader_error,0.00,0.00,0,0.00,0.00,no memory,\r\n");
 }
 
 TEST_F(OverviewTest, ThePageEscapesLinksAndPutsFaultsOnTop) {
-    const std::string page = overview().html();
+    const std::string page = overviewPage(overview(), tree_.path());
     EXPECT_THAT(page, Not(HasSubstr("<b>first</b>")));
-    EXPECT_THAT(page, HasSubstr("students/%3Dalpha%2C%20%22the%22%20%3Cb%3Efirst%3C/b%3E/report"));
+    EXPECT_THAT(page, Not(HasSubstr("<cube>")));
+    EXPECT_THAT(page, HasSubstr("instructor/a%2C%20%3Ci%3E/report/index.html"))
+        << "the instructor's own report, where there is one";
     EXPECT_THAT(page, HasSubstr("<b>gamma</b>: a fault of the grader, no mark: no memory"));
-    EXPECT_LT(page.find("a fault of the grader"), page.find("<table>"));
-    EXPECT_THAT(page, HasSubstr("mean 70.0 points")) << "only one has a mark";
-    EXPECT_THAT(page, HasSubstr("not taken: list.txt"));
+    EXPECT_LT(page.find("a fault of the grader"), page.find("<b>beta</b>: no mark"));
+    EXPECT_LT(page.find("<b>beta</b>: no mark"), page.find("look again"));
+    EXPECT_LT(page.find("look again"), page.find("<table"));
+    EXPECT_THAT(page, HasSubstr("1 with a mark (mean 54.0 points)"));
+    EXPECT_THAT(page, HasSubstr("list.txt: neither"));
     EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+}
+
+TEST_F(OverviewTest, ThePageCountsMistakesAndShowsPicturesBesideTheReference) {
+    const std::string page = overviewPage(overview(), tree_.path());
+    EXPECT_THAT(page, HasSubstr("1 of 1</td>"));
+    EXPECT_THAT(page, HasSubstr("rotation: You turn clockwise."));
+    EXPECT_THAT(page, HasSubstr("turned: Turned &lt;cube&gt;"));
+    EXPECT_THAT(page, HasSubstr("students/a%2C%20%3Ci%3E/report/06-rotation/turned.submission"));
+    EXPECT_THAT(page, HasSubstr("instructor/a%2C%20%3Ci%3E/report/06-rotation/turned.reference"));
+    EXPECT_THAT(page, HasSubstr("93 % of the fingerprints"));
 }
 
 TEST_F(OverviewTest, TheDocumentHasEveryStudent) {
     const Json document = Json::parse(overview().json());
     ASSERT_EQ(document.at("students").size(), 3u);
-    EXPECT_EQ(document.at("students").at(0).at("tasks").at("rotation"), 30);
+    const Json& alpha = document.at("students").at(0);
+    EXPECT_EQ(alpha.at("tasks").at(1).at("points"), 20);
+    EXPECT_EQ(alpha.at("tasks").at(1).at("automatic"), 30);
+    EXPECT_EQ(alpha.at("late").at("percent"), 10);
     EXPECT_EQ(document.at("students").at(1).at("status"), "refused");
     EXPECT_EQ(document.at("seed"), 7);
 }

@@ -3,21 +3,16 @@
 #include <algorithm>
 #include <optional>
 
+#include "Archive.h"
 #include "Error.h"
+#include "batch/Csv.h"
+#include "batch/Platforms.h"
 
 namespace grader {
 
 namespace {
 
 constexpr const char* kEndings[] = {".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2"};
-
-/// The name without an archive's ending; nothing when it is no archive's name.
-std::optional<std::string> stemOfArchive(const std::string& name) {
-    for (const std::string ending : kEndings)
-        if (name.ends_with(ending) && name.size() > ending.size())
-            return name.substr(0, name.size() - ending.size());
-    return std::nullopt;
-}
 
 bool isPlain(const fs::directory_entry& entry) {
     return entry.symlink_status().type() == fs::file_type::regular;
@@ -42,29 +37,50 @@ std::optional<fs::path> archiveInside(const fs::path& folder, const Manifest& ma
     return archive;
 }
 
-}  // namespace
-
-Intake takeIn(const fs::path& submissions, const Manifest& manifest,
-              const std::vector<std::string>& knownAssignments) {
-    if (!fs::is_directory(submissions))
-        throw Error(
-            "{}: there is no such folder; expected one with a folder or an archive for "
-            "each student",
-            submissions.string());
+Intake takeInPlain(const fs::path& submissions, const Manifest& manifest,
+                   const std::vector<std::string>& known) {
     Intake intake;
     for (const auto& entry : fs::directory_iterator(submissions)) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("."))
             continue;
-        if (entry.symlink_status().type() == fs::file_type::directory) {
-            const auto inside = archiveInside(entry.path(), manifest, knownAssignments);
-            intake.entrants.push_back({name, inside.value_or(entry.path()), inside.has_value()});
-        } else if (const auto stem = isPlain(entry) ? stemOfArchive(name) : std::nullopt) {
-            intake.entrants.push_back({*stem, entry.path(), true});
-        } else {
+        if (entry.symlink_status().type() == fs::file_type::directory)
+            intake.entrants.push_back(entrantOf(name, entry.path(), manifest, known));
+        else if (const auto stem = isPlain(entry) ? stemOfArchive(name) : std::nullopt)
+            intake.entrants.push_back({*stem, entry.path(), EntrantKind::archive});
+        else
             intake.ignored.push_back(name + ": neither a folder nor an archive");
-        }
     }
+    return intake;
+}
+
+}  // namespace
+
+std::optional<std::string> stemOfArchive(const std::string& name) {
+    for (const std::string ending : kEndings)
+        if (name.ends_with(ending) && name.size() > ending.size())
+            return name.substr(0, name.size() - ending.size());
+    return std::nullopt;
+}
+
+Entrant entrantOf(const std::string& name, const fs::path& folder, const Manifest& manifest,
+                  const std::vector<std::string>& known) {
+    if (const auto repository = repositoryIn(folder))
+        return {name, *repository, EntrantKind::clone};
+    if (const auto archive = archiveInside(folder, manifest, known))
+        return {name, *archive, EntrantKind::archive};
+    return {name, folder, EntrantKind::folder};
+}
+
+Intake takeIn(const fs::path& submissions, const Manifest& manifest,
+              const std::vector<std::string>& known) {
+    if (!fs::is_directory(submissions))
+        throw Error(
+            "{}: there is no such folder; expected one with a folder or an archive for "
+            "each student",
+            submissions.string());
+    auto exported = takeInExport(submissions, manifest, known);
+    Intake intake = exported ? std::move(*exported) : takeInPlain(submissions, manifest, known);
     const auto byName = [](const Entrant& a, const Entrant& b) { return a.name < b.name; };
     std::sort(intake.entrants.begin(), intake.entrants.end(), byName);
     std::sort(intake.ignored.begin(), intake.ignored.end());
@@ -77,6 +93,22 @@ Intake takeIn(const fs::path& submissions, const Manifest& manifest,
         throw Error("{} holds no submission: expected a folder or an archive for each student",
                     submissions.string());
     return intake;
+}
+
+void addTimes(Intake& intake, const fs::path& file) {
+    const CsvTable table = CsvTable::read(file);
+    const std::size_t submission = table.needColumn("submission"),
+                      submitted = table.needColumn("submitted");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string name = table.cell(row, submission);
+        const auto entrant = std::find_if(intake.entrants.begin(), intake.entrants.end(),
+                                          [&](const Entrant& each) { return each.name == name; });
+        if (entrant == intake.entrants.end())
+            throw Error("{}: there is no submission \"{}\"", table.place(row), name);
+        entrant->submitted = parseMoment(table.cell(row, submitted), table.place(row));
+        if (const std::string student = table.cell(row, "student"); !student.empty())
+            entrant->owners = {{student, "", ""}};
+    }
 }
 
 }  // namespace grader

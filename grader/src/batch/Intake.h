@@ -1,29 +1,62 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "Manifest.h"
+#include "batch/Moment.h"
 
 namespace grader {
 
-/// One submission of a batch: a folder, or an archive.
-struct Entrant {
-    std::string name;  ///< of the folder, or of the archive without its ending
+/// Somebody, as a learning platform calls them; what it does not tell is empty.
+struct Owner {
+    std::string id, name, email;
+};
+
+/// A file that lies among those of other students, and what it is called in the submission.
+struct LooseFile {
+    std::string name;
     fs::path path;
-    bool isArchive = false;
+};
+
+enum class EntrantKind { folder, archive, clone, looseFiles };
+
+/// One submission of a batch.
+struct Entrant {
+    std::string name;  ///< unique in the batch: of the folder, or of the archive without its ending
+    fs::path path;     ///< of the folder or archive
+    EntrantKind kind = EntrantKind::folder;
+    std::vector<LooseFile> files = {};
+    std::vector<Owner> owners = {};  ///< several where a group handed it in; none: the name says
+    std::optional<Moment> submitted = {};
+    bool late = false;  ///< says the platform, without saying by how much
 };
 
 struct Intake {
+    std::string platform;              ///< whose export it is: "canvas", "moodle", "gradescope", ""
     std::vector<Entrant> entrants;     ///< by name
-    std::vector<std::string> ignored;  ///< what is neither, with the reason
+    std::vector<std::string> ignored;  ///< what is no submission, with the reason
 };
 
-/// What somebody put into a folder for grading: folders, and archives (zip, tar, tar.gz, tgz,
-/// tar.xz, tar.bz2). A folder that holds one archive and no file of the assignment, as learning
-/// platforms make them, stands for that archive. Links are never followed. Throws Error for a
+/// What somebody put into a folder for grading.
+///
+/// Either folders, git clones and archives (zip, tar, tar.gz, tgz, tar.xz, tar.bz2), or the export
+/// of Canvas, Moodle or Gradescope as it is (Platforms.h). A folder that holds one archive and no
+/// file of the assignment stands for that archive. Links are never followed. Throws Error for a
 /// folder that is not there or holds no submission, and when two submissions have one name.
 Intake takeIn(const fs::path& submissions, const Manifest& manifest,
               const std::vector<std::string>& knownAssignments);
+
+/// Reads when each was handed in from a table with the columns "submission" and "submitted", and
+/// whose it is where there is a column "student". Throws Error for a submission that is not there.
+void addTimes(Intake& intake, const fs::path& table);
+
+/// The name without an archive's ending; nothing when it is no archive's name.
+std::optional<std::string> stemOfArchive(const std::string& name);
+
+/// What a folder is: a git clone, an archive that it stands for, or itself.
+Entrant entrantOf(const std::string& name, const fs::path& folder, const Manifest& manifest,
+                  const std::vector<std::string>& knownAssignments);
 
 }  // namespace grader

@@ -5,26 +5,35 @@
 
 #include "Fields.h"
 #include "Files.h"
+#include "batch/Similarity.h"
 
 namespace grader {
 
-/// What a batch knows already: one folder for each submission, below `folder`/students. Crash-safe:
+/// What a batch knows already: one folder for each submission, below `folder`/students, and where
+/// students must not see all of it another below `folder`/instructor. Crash-safe:
 /// files are replaced by rename, and the key, which says that the rest is whole, comes last.
 class Ledger {
 public:
     explicit Ledger(fs::path folder) : folder_(std::move(folder)) {}
 
-    fs::path folderOf(const std::string& student) const { return folder_ / "students" / student; }
+    fs::path folderOf(const std::string& entrant) const { return folder_ / "students" / entrant; }
+    fs::path instructorFolderOf(const std::string& entrant) const {
+        return folder_ / "instructor" / entrant;
+    }
 
     /// The result document that was kept under this key; nothing when there is none, it was kept
     /// under another key, or cannot be read.
-    std::optional<Json> known(const std::string& student, const std::string& key) const;
+    std::optional<Json> known(const std::string& entrant, const std::string& key) const;
 
-    /// Forgets what was known of the student: what follows is written anew.
-    void begin(const std::string& student) const;
+    /// Forgets what was known of the submission: what follows is written anew.
+    void begin(const std::string& entrant) const;
 
     /// Keeps a result. Without a key it is there to be read, and graded again the next time.
-    void keep(const std::string& student, const std::string& key, const std::string& result) const;
+    void keep(const std::string& entrant, const std::string& key, const std::string& result) const;
+
+    /// What the submission is compared by with others; nothing when it was not kept.
+    std::optional<Print> print(const std::string& entrant) const;
+    void keepPrint(const Print& print) const;
 
 private:
     fs::path folder_;

@@ -3,23 +3,28 @@
 #include <string>
 #include <vector>
 
-#include "batch/Batch.h"
+#include "batch/Marks.h"
+#include "batch/Similarity.h"
 
 namespace grader {
 
-/// A batch for those who read it. `ignored`: what was in the folder and is no submission.
+/// A batch for those who read it.
 struct Overview {
     const Manifest& manifest;
-    const std::vector<Standing>& standings;
-    const std::vector<std::string>& ignored;
+    const std::vector<Mark>& marks;            ///< by student
+    const std::vector<std::string>& notTaken;  ///< what was in the folder and is nobody's
+    const std::vector<Likeness>& likenesses;
     std::uint64_t seed;
-    std::string sandbox;
+    std::string sandbox, compiler, cpu;
 
     std::string json() const;  ///< as grader/RESULT.md describes it
     std::string csv() const;   ///< RFC 4180; a row for each student, a column for each task
-    /// One page that needs nothing else: grader's faults and refused archives on top, then a table
-    /// to sort and to filter, each row with a link to the student's report.
-    std::string html() const;
 };
+
+/// One page that needs nothing but the folders beside it: what an instructor must look at on top,
+/// then a table to sort and to filter, how the points are distributed, the checks that most lost,
+/// mistakes by frequency, a gallery of every frame, and submissions that are nearly identical.
+/// `out`: the folder that it will lie in.
+std::string overviewPage(const Overview& overview, const fs::path& out);
 
 }  // namespace grader

@@ -1,16 +1,21 @@
 #include "commands/BatchCommand.h"
 
-#include <unistd.h>
+#include <fcntl.h>
+#include <sys/file.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <random>
 #include <thread>
 
 #include "Error.h"
 #include "batch/Batch.h"
+#include "batch/Marks.h"
 #include "batch/Overview.h"
 #include "batch/Progress.h"
 #include "commands/GradeCommand.h"
@@ -20,7 +25,8 @@ namespace grader {
 namespace {
 
 struct Options {
-    std::string submissions, assignment, out;
+    std::string submissions, assignment, out, roster, policy, times, overrides;
+    AttemptRule attempt = AttemptRule::last;
     int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::optional<std::uint64_t> seed;
     bool fresh = false, quiet = false, noSandbox = false;
@@ -31,18 +37,6 @@ std::atomic<bool> stop = false;
 void onInterrupt(int) {
     stop = true;
     std::signal(SIGINT, SIG_DFL);  // the second time at once
-}
-
-/// Other people's code is not run where nothing holds it, unless somebody insists.
-std::unique_ptr<Sandbox> sandboxFor(const Toolchain& tools, bool noSandbox) {
-    if (noSandbox)
-        return makePlainProcess(tools.confine());
-    auto sandbox = chooseSandbox(tools.confine());
-    if (sandbox->name() == "plain" && geteuid() != 0)
-        throw Error(
-            "there is no sandbox on this machine, and a batch runs other people's code: ./grade "
-            "doctor says how to get one; start the grader as root; or insist with --no-sandbox");
-    return sandbox;
 }
 
 /// The batch's own seed: chosen once, kept beside the results, nobody's to know before.
@@ -67,47 +61,150 @@ std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::
     return seed;
 }
 
+/// Only one batch at a time may write to a folder. Held until the program ends.
+void lockFolder(const fs::path& out) {
+    const fs::path file = out / "lock";
+    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (descriptor < 0)
+        throw Error("{} cannot be written: {}", out.string(), std::strerror(errno));
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+        throw Error("another batch is writing to {}: wait for it, or choose another --out",
+                    out.string());
+}
+
 std::string lineOf(const Standing& standing) {
     if (!standing.sentence.empty())
-        return fmt::format("{}: {}: {}", standing.student, standing.status, standing.sentence);
-    return fmt::format("{} {:g} of {:g}{}", standing.student, standing.points, standing.maxPoints,
+        return fmt::format("{}: {}: {}", standing.entrant, standing.status, standing.sentence);
+    return fmt::format("{} {:g} of {:g}{}", standing.entrant, standing.points, standing.maxPoints,
                        standing.fromBefore ? " (as before)" : "");
+}
+
+/// Everything that people say about the class.
+struct Rules {
+    std::optional<std::vector<Student>> roster;
+    Policy policy;
+    Overrides overrides;
+
+    Rules(const Options& options, const Manifest& manifest) {
+        if (!options.roster.empty())
+            roster = readRoster(options.roster);
+        if (!options.policy.empty())
+            policy = Policy::load(options.policy);
+        if (!options.overrides.empty())
+            overrides =
+                Overrides(options.overrides, fs::path(options.out) / "overrides.json", manifest);
+    }
+};
+
+/// A folder; or the archive that a learning platform exported, unpacked.
+fs::path folderOf(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                  const fs::path& submissions) {
+    if (!fs::is_regular_file(submissions))
+        return submissions;
+    const Unpacked unpacked =
+        unpackArchive(tools, sandbox, job, submissions, knownAssignments(tools.root));
+    if (!unpacked.refusal.empty())
+        throw Error("{} is refused: {}; unpack it yourself, and give the folder",
+                    submissions.string(), unpacked.refusal);
+    return unpacked.folder;
+}
+
+std::vector<std::string> namesOf(const ClassList& list) {
+    std::vector<std::string> names;
+    for (const Participant& each : list.participants)
+        names.push_back(each.student.id);
+    return names;
+}
+
+/// What an instructor must hear of beside the marks.
+std::vector<std::string> notTaken(const Intake& intake, const ClassList& list, const Rules& rules) {
+    std::vector<std::string> all = intake.ignored;
+    all.insert(all.end(), list.unclear.begin(), list.unclear.end());
+    for (const Participant& each : list.participants)
+        if (rules.roster && !each.inRoster)
+            all.push_back(each.student.id + " is not in the roster");
+    for (const std::string& each : rules.overrides.strangers(namesOf(list)))
+        all.push_back("a decision is about " + each + ", who is not there");
+    return all;
+}
+
+/// The submissions that are to be graded, each once.
+std::vector<Entrant> chosen(const ClassList& list, const Options& options, const Policy& policy) {
+    std::map<std::string, const Entrant*> all;
+    for (const Participant& each : list.participants)
+        for (const Entrant* entrant : attemptsToGrade(each, options.attempt, policy))
+            all[entrant->name] = entrant;
+    std::vector<Entrant> entrants;
+    for (const auto& [name, entrant] : all)
+        entrants.push_back(*entrant);
+    return entrants;
+}
+
+std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks) {
+    std::map<std::string, Print> prints;
+    for (const Mark& each : marks)
+        if (auto print = each.submission.empty() ? std::nullopt : ledger.print(each.submission))
+            prints.emplace(each.submission, std::move(*print));
+    std::vector<Print> all;
+    for (auto& [name, print] : prints)
+        all.push_back(std::move(print));
+    return nearlyIdentical(all);
 }
 
 int runBatch(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Manifest manifest = loadAssignment(tools.root, options.assignment);
-    const Intake intake = takeIn(options.submissions, manifest, knownAssignments(tools.root));
-    const auto sandbox = sandboxFor(tools, options.noSandbox);
+    const auto sandbox =
+        chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
     const fs::path out = options.out;
+    Rules rules(options, manifest);
+    const Job unpacking;
+    Intake intake = takeIn(folderOf(tools, *sandbox, unpacking, options.submissions), manifest,
+                           knownAssignments(tools.root));
+    if (!options.times.empty())
+        addTimes(intake, options.times);
+    const ClassList list = whoIsWho(intake, rules.roster ? &*rules.roster : nullptr);
+    const auto entrants = chosen(list, options, rules.policy);
+
     fs::create_directories(out);
+    lockFolder(out);
     const std::uint64_t seed = seedFor(options, tools, out / "batch.json");
     const Ledger ledger(out);
     const Grader grader(tools, *sandbox);
     const Batch batch(grader, *sandbox, manifest, ledger, seed,
                       keyOfRules(tools, *sandbox, manifest, seed));
-
     std::signal(SIGINT, onInterrupt);
-    Progress progress(intake.entrants.size(), options.quiet);
-    const auto standings =
-        batch.run(intake.entrants, options.jobs, options.fresh, stop, [&](const Standing& each) {
-            progress.count(lineOf(each), each.graderFailed(), each.fromBefore);
-        });
+    Progress progress(entrants.size(), options.quiet);
+    std::map<std::string, Standing> standings;
+    for (Standing& each :
+         batch.run(entrants, options.jobs, options.fresh, stop, [&](const Standing& standing) {
+             progress.count(lineOf(standing), standing.graderFailed(), standing.fromBefore);
+         }))
+        standings.emplace(each.entrant, std::move(each));
     progress.end();
-    const Overview overview{manifest, standings, intake.ignored, seed, sandbox->name()};
+
+    const auto marks =
+        marksOf(manifest, list, standings, options.attempt, rules.policy, rules.overrides);
+    rules.overrides.remember();
+    const auto likenesses = likenessesAmong(ledger, marks);
+    const auto leftOut = notTaken(intake, list, rules);
+    const Overview overview{
+        manifest,  marks, leftOut, likenesses, seed, sandbox->name(), tools.compilerVersion,
+        cpuModel()};
     writeFile(out / "results.json", overview.json());
     writeFile(out / "results.csv", overview.csv());
-    writeFile(out / "index.html", overview.html());
+    writeFile(out / "index.html", overviewPage(overview, out));
 
     const auto faults = std::count_if(standings.begin(), standings.end(),
-                                      [](const Standing& each) { return each.graderFailed(); });
-    const std::size_t left = intake.entrants.size() - standings.size();
+                                      [](const auto& each) { return each.second.graderFailed(); });
+    const std::size_t left = entrants.size() - standings.size();
     std::cout << fmt::format("{} of {} submissions have a result{}{}\n",
-                             standings.size() - static_cast<std::size_t>(faults),
-                             intake.entrants.size(),
+                             standings.size() - static_cast<std::size_t>(faults), entrants.size(),
                              faults ? fmt::format(", {} met a fault of the grader", faults) : "",
-                             left ? ", stopped: the same command goes on" : "")
-              << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
+                             left ? ", stopped: the same command goes on" : "");
+    for (const std::string& each : leftOut)
+        std::cout << "Look at: " << each << "\n";
+    std::cout << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
     return faults || left ? kGraderFailed : kFullMarks;
 }
 
@@ -119,12 +216,28 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
         app.add_subcommand("batch", "grade a folder of submissions of one assignment");
     command
         ->add_option("submissions", options.submissions,
-                     "folder with a folder or an archive for each student")
+                     "folder with a folder, a git clone or an archive for each student; or the "
+                     "export of Canvas, Moodle or Gradescope, unpacked or not")
         ->required();
     command->add_option("--assignment", options.assignment, "the assignment, such as 06-rotation")
         ->required();
     command->add_option("--out", options.out, "folder for results; what it holds is gone on from")
         ->required();
+    command->add_option("--roster", options.roster,
+                        "table of the class: id, name, email, section, group, due, extension");
+    command->add_option("--policy", options.policy,
+                        "deadline and what being late costs, a JSON file");
+    command->add_option("--times", options.times,
+                        "table that says when each was handed in: submission, submitted, student");
+    command->add_option("--attempt", options.attempt, "which of several submissions of one counts")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, AttemptRule>{{"last", AttemptRule::last},
+                                               {"on-time", AttemptRule::onTime},
+                                               {"best", AttemptRule::best}}))
+        ->default_str("last");
+    command->add_option("--overrides", options.overrides,
+                        "table of decisions that take the place of automatic points: student, "
+                        "task, points, reason");
     command->add_option("--jobs", options.jobs, "submissions at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -14,11 +14,14 @@ std::string figure(const std::string& picture, const std::string& caption) {
 }
 
 /// The three pictures beside each other: what is seen without scripts and on paper, and what
-/// report.js makes the viewer from.
+/// report.js makes the viewer from. Without the reference, the submission's alone.
 std::string picturesOf(const CheckResult& check, const fs::path& folder) {
     const auto file = [&](const char* name) { return folder / check.imagePaths.at(name); };
-    return "<div class=\"pictures\">\n" +
-           figure(pictureOf(file("submission"), "yours", "Your picture: " + check.title), "yours") +
+    const std::string yours =
+        figure(pictureOf(file("submission"), "yours", "Your picture: " + check.title), "yours");
+    if (!check.imagePaths.contains("reference"))
+        return "<div class=\"pictures\">\n" + yours + "</div>\n";
+    return "<div class=\"pictures\">\n" + yours +
            figure(pictureOf(file("reference"), "reference", "The reference: " + check.title),
                   "reference") +
            figure(pictureOf(file("difference"), "difference",

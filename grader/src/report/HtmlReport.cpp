@@ -220,6 +220,18 @@ void writeMasks(const CheckResult& check, const std::string& assignment, const f
 
 }  // namespace
 
+void takeReferencesOut(std::vector<AssignmentResult>& results) {
+    for (AssignmentResult& result : results)
+        for (TaskResult& task : result.tasks)
+            for (CheckResult& check : task.checks) {
+                check.imagePaths.clear();
+                if (check.pictures)
+                    check.pictures->reference = {};
+                for (FeatureResult& feature : check.features)
+                    feature.mask = {};
+            }
+}
+
 void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder) {
     for (AssignmentResult& result : results)
         for (TaskResult& task : result.tasks)
@@ -227,11 +239,15 @@ void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path&
                 if (!check.pictures)
                     continue;
                 FramePictures& pictures = *check.pictures;
-                pictures.difference = differenceOf(pictures.submission, pictures.reference);
+                pictures.difference = pictures.reference.empty()
+                                          ? Picture{}
+                                          : differenceOf(pictures.submission, pictures.reference);
                 for (const auto& [name, picture] :
                      {std::pair{"submission", &pictures.submission},
                       std::pair{"reference", &pictures.reference},
                       std::pair{"difference", &pictures.difference}}) {
+                    if (picture->empty())
+                        continue;
                     const std::string path =
                         fmt::format("{}/{}.{}.png", result.assignment, check.id, name);
                     writePicture(folder / path, *picture);

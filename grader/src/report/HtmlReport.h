@@ -7,6 +7,10 @@
 
 namespace grader {
 
+/// Of every frame only the submission's own picture is left: for reports that must not give away
+/// what seeded frames should look like.
+void takeReferencesOut(std::vector<AssignmentResult>& results);
+
 /// Writes the pictures of all frames and the masks of their features below `folder`, and notes the
 /// paths of the pictures, relative to it, in the checks. Loads the image library.
 void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder);

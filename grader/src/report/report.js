@@ -337,7 +337,7 @@ document.addEventListener('keydown', event => {
 });
 
 function openFrame(frame) {
-  if (!frame.querySelector('.pictures') || frame.dataset.opened)
+  if (!frame.querySelector('.pictures img.reference') || frame.dataset.opened)
     return;
   frame.dataset.opened = 'yes';
   new Viewer(frame).open();

@@ -1,0 +1,125 @@
+#include "batch/Gradebook.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+#include "Error.h"
+
+namespace grader {
+
+namespace {
+
+std::string shown(double points) {
+    return fmt::format("{:.2f}", points);
+}
+
+double numberIn(const std::string& text) {
+    double value = 0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return failed == std::errc() && end == text.data() + text.size() ? value : 0;
+}
+
+/// The row in which any of the columns holds any of the keys; nothing when none or several do.
+std::optional<std::size_t> rowWith(const CsvTable& table, const std::vector<std::string>& columns,
+                                   const std::vector<std::string>& keys) {
+    std::optional<std::size_t> found;
+    for (std::size_t row = 0; row < table.rows(); ++row)
+        for (const std::string& column : columns)
+            for (const std::string& key : keys)
+                if (sameText(table.cell(row, column), key)) {
+                    if (found && *found != row)
+                        return std::nullopt;
+                    found = row;
+                }
+    return found;
+}
+
+std::string nameOf(const Line& line) {
+    return line.name.empty() ? line.id : line.name + " (" + line.id + ")";
+}
+
+std::size_t columnLike(const CsvTable& table, const std::string& name) {
+    if (const auto exact = table.column(name))
+        return *exact;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < table.columns().size(); ++i)
+        if (lowered(table.columns()[i]).find(lowered(name)) != std::string::npos)
+            found.push_back(i);
+    if (found.size() != 1)
+        throw Error("{} columns have \"{}\" in their name; name one with --column: {}",
+                    found.size(), name, fmt::join(table.columns(), ", "));
+    return found.front();
+}
+
+}  // namespace
+
+Filled fillCanvas(CsvTable table, const std::string& name, const std::vector<Line>& lines) {
+    table.needColumn("Student");
+    table.needColumn("ID");
+    const std::size_t column = columnLike(table, name);
+    Filled filled;
+    double possible = 0;
+    for (std::size_t row = 0; row < table.rows(); ++row)
+        if (table.cell(row, "Student") == "Points Possible")
+            possible = numberIn(table.cell(row, column));
+    for (const Line& line : lines) {
+        const auto row =
+            rowWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {line.id, line.email});
+        if (!row) {
+            filled.remarks.push_back(nameOf(line) + " is not in the gradebook");
+            continue;
+        }
+        const bool scaled = possible > 0 && std::abs(possible - line.maxPoints) > 1e-9;
+        if (scaled && filled.marks == 0)
+            filled.remarks.push_back(
+                fmt::format("marks are scaled from {:g} to the {:g} points "
+                            "that Canvas counts",
+                            line.maxPoints, possible));
+        table.set(*row, column,
+                  shown(scaled ? line.points * possible / line.maxPoints : line.points));
+        ++filled.marks;
+    }
+    filled.text = table.text();
+    return filled;
+}
+
+Filled fillMoodle(CsvTable table, const std::vector<Line>& lines) {
+    const std::size_t grade = table.needColumn("Grade");
+    table.needColumn("Identifier");
+    const auto feedback = table.column("Feedback comments");
+    Filled filled;
+    bool saidScaled = false;
+    for (const Line& line : lines) {
+        auto row = rowWith(table, {"Identifier", "Email address", "ID number"},
+                           {"Participant " + line.id, line.id, line.email});
+        if (!row)
+            row = rowWith(table, {"Full name"}, {line.name});
+        if (!row) {
+            filled.remarks.push_back(nameOf(line) + " is not in the worksheet");
+            continue;
+        }
+        if (lowered(table.cell(*row, "Grade can be changed")) == "no") {
+            filled.remarks.push_back(nameOf(line) +
+                                     ": Moodle says that the grade cannot be changed");
+            continue;
+        }
+        const double most = numberIn(table.cell(*row, "Maximum Grade"));
+        const bool scaled = most > 0 && std::abs(most - line.maxPoints) > 1e-9;
+        if (scaled && !saidScaled)
+            filled.remarks.push_back(
+                fmt::format("marks are scaled from {:g} to the {:g} points "
+                            "that Moodle counts",
+                            line.maxPoints, most));
+        saidScaled = saidScaled || scaled;
+        table.set(*row, grade, shown(scaled ? line.points * most / line.maxPoints : line.points));
+        if (feedback)
+            table.set(*row, *feedback, line.feedback);
+        ++filled.marks;
+    }
+    filled.text = table.text();
+    return filled;
+}
+
+}  // namespace grader

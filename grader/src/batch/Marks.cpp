@@ -1,0 +1,113 @@
+#include "batch/Marks.h"
+
+#include <cmath>
+
+namespace grader {
+
+namespace {
+
+double rounded(double points) {
+    return std::round(points * 1e6) / 1e6;
+}
+
+/// Without decisions and lateness.
+Mark markFrom(const Manifest& manifest, const Participant& participant, const Standing* standing) {
+    Mark mark;
+    mark.student = participant.student;
+    mark.inRoster = participant.inRoster;
+    mark.sentence = participant.problem;
+    mark.status = participant.problem.empty() ? "missing" : "unclear";
+    std::map<std::string, double> points;
+    if (standing) {
+        mark.submission = standing->entrant;
+        mark.status = standing->status;
+        mark.sentence = standing->sentence;
+        mark.result = standing->result;
+        if (standing->result.contains("tasks"))
+            for (const Json& task : standing->result.at("tasks"))
+                points[task.at("id")] = task.at("points");
+    }
+    for (const Task& task : manifest.tasks) {
+        mark.tasks.push_back({task.id, points[task.id], points[task.id], task.points, ""});
+        mark.automatic += points[task.id];
+        mark.maxPoints += task.points;
+    }
+    mark.automatic = rounded(mark.automatic);
+    return mark;
+}
+
+void decide(Mark& mark, Overrides& overrides) {
+    for (TaskMark& task : mark.tasks) {
+        const Override* decision = overrides.find(mark.student.id, task.id);
+        if (!decision)
+            continue;
+        mark.status = mark.sentence.empty() && mark.status != "missing" ? mark.status : "decided";
+        mark.sentence.clear();
+        task.points = decision->points;
+        task.reason = decision->reason;
+        const double before = overrides.automaticWhenDecided(*decision, task.automatic);
+        if (std::abs(before - task.automatic) > 1e-6)
+            mark.warnings.push_back(fmt::format(
+                "{}: the automatic mark was {:g} when it was decided, and is {:g} now: look again, "
+                "and change the reason to confirm",
+                task.id, before, task.automatic));
+    }
+}
+
+void charge(Mark& mark, const Entrant* entrant, const Policy& policy) {
+    double sum = 0;
+    for (const TaskMark& task : mark.tasks)
+        sum += task.points;
+    if (entrant)
+        mark.lateness = latenessOf(mark.student, *entrant, policy);
+    mark.points = rounded(sum * (1 - mark.lateness.percent / 100));
+}
+
+}  // namespace
+
+std::vector<std::string> Mark::remarks() const {
+    std::vector<std::string> all;
+    for (const TaskMark& task : tasks)
+        if (!task.reason.empty())
+            all.push_back(
+                fmt::format("{}: {:g} of {:g} points by a person's decision, in place of "
+                            "{:g}: {}",
+                            task.id, task.points, task.maxPoints, task.automatic, task.reason));
+    if (!lateness.says.empty())
+        all.push_back(lateness.says);
+    return all;
+}
+
+std::vector<Mark> marksOf(const Manifest& manifest, const ClassList& list,
+                          const std::map<std::string, Standing>& standings, AttemptRule rule,
+                          const Policy& policy, Overrides& overrides) {
+    std::vector<Mark> marks;
+    for (const Participant& participant : list.participants) {
+        std::optional<Mark> best;
+        const auto attempts = attemptsToGrade(participant, rule, policy);
+        bool all = true;
+        for (const Entrant* entrant : attempts) {
+            const auto standing = standings.find(entrant->name);
+            all = all && standing != standings.end();
+            if (!all)
+                break;
+            Mark mark = markFrom(manifest, participant, &standing->second);
+            decide(mark, overrides);
+            charge(mark, entrant, policy);
+            // The later one, where two earn alike.
+            if (!best || mark.points >= best->points)
+                best = std::move(mark);
+        }
+        if (!all)
+            continue;
+        if (!best) {
+            best = markFrom(manifest, participant, nullptr);
+            decide(*best, overrides);
+            charge(*best, nullptr, policy);
+        }
+        marks.push_back(std::move(*best));
+    }
+    return marks;
+}
+
+}  // namespace grader

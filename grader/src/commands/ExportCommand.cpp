@@ -1,0 +1,176 @@
+#include "commands/ExportCommand.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <iostream>
+
+#include "Error.h"
+#include "batch/Gradebook.h"
+#include "batch/Moment.h"
+#include "commands/GradeCommand.h"
+
+namespace grader {
+
+namespace {
+
+struct Options {
+    std::string folder, to, into, column, output, classroom;
+};
+
+/// What `grade batch` wrote, read back.
+struct Batch {
+    std::string assignment;
+    std::vector<Json> students;         ///< that have a mark
+    std::vector<std::string> unmarked;  ///< the others, with the reason
+
+    explicit Batch(const fs::path& folder) {
+        const fs::path file = folder / "results.json";
+        if (!fs::exists(file))
+            throw Error("{} is not there: give the folder that ./grade batch --out wrote",
+                        file.string());
+        const Json document = parseJsonFile(file.string());
+        assignment = document.at("assignment");
+        for (const Json& each : document.at("students")) {
+            const std::string status = each.at("status");
+            if (each.at("sentence") == "" && status != "missing")
+                students.push_back(each);
+            else
+                unmarked.push_back(fmt::format("{} has no mark ({})",
+                                               each.at("student").get<std::string>(), status));
+        }
+    }
+};
+
+Scored scoredOf(const Json& student, const fs::path& folder) {
+    const std::string submission = student.at("submission");
+    const fs::path home = folder / "students" / submission;
+    return {student.at("student"),
+            student.at("points"),
+            student.at("max_points"),
+            student.at("remarks"),
+            submission.empty() ? Json() : parseJsonFile((home / "result.json").string()),
+            home / "report"};
+}
+
+/// A line for each task that lost, and what people and the deadline did.
+std::string feedbackFor(const Json& student) {
+    std::vector<std::string> lines;
+    for (const Json& task : student.at("tasks"))
+        lines.push_back(fmt::format("{}: {:g} of {:g}", task.at("id").get<std::string>(),
+                                    task.at("points").get<double>(),
+                                    task.at("max_points").get<double>()));
+    for (const Json& each : student.at("remarks"))
+        lines.push_back(each);
+    return fmt::format("{}", fmt::join(lines, "; "));
+}
+
+std::vector<Line> linesOf(const Batch& batch) {
+    std::vector<Line> lines;
+    for (const Json& each : batch.students)
+        lines.push_back({each.at("student"), each.at("name"), each.at("email"), each.at("points"),
+                         each.at("max_points"), feedbackFor(each)});
+    return lines;
+}
+
+std::string tableOf(const std::vector<Line>& lines) {
+    std::string text = "student,name,email,points,max_points\r\n";
+    for (const Line& each : lines)
+        text += fmt::format("{},{},{},{:.2f},{:.2f}\r\n", csvCell(each.id), csvCell(each.name),
+                            csvCell(each.email), each.points, each.maxPoints);
+    return text;
+}
+
+void say(const std::vector<std::string>& sentences) {
+    for (const std::string& each : sentences)
+        std::cout << "Look at: " << each << "\n";
+}
+
+void written(const fs::path& file, std::size_t marks) {
+    std::cout << fmt::format("{} marks written to {}\n", marks, fs::absolute(file).string());
+}
+
+/// A table of the platform's, filled in.
+void fill(const Options& options, const Batch& batch, const fs::path& file) {
+    if (options.into.empty())
+        throw Error("--to {} fills in a file that the platform exported: name it with --into",
+                    options.to);
+    const CsvTable table = CsvTable::read(options.into);
+    const auto lines = linesOf(batch);
+    const std::string& column = options.column.empty() ? batch.assignment : options.column;
+    const Filled filled =
+        options.to == "canvas" ? fillCanvas(table, column, lines) : fillMoodle(table, lines);
+    writeFile(file, filled.text);
+    written(file, filled.marks);
+    say(filled.remarks);
+}
+
+/// A file for each student.
+void writeEach(const Batch& batch, const fs::path& folder, const fs::path& out,
+               const std::string& ending, const std::function<std::string(const Scored&)>& format) {
+    for (const Json& each : batch.students) {
+        std::string name = each.at("student");
+        std::replace(name.begin(), name.end(), '/', '_');
+        writeFile(out / (name + ending), format(scoredOf(each, folder)));
+    }
+    written(out, batch.students.size());
+}
+
+void exportBatch(const Options& options) {
+    const fs::path folder = options.folder;
+    const Batch batch(folder);
+    const auto target = [&](const std::string& name) {
+        return options.output.empty() ? folder / "export" / name : fs::path(options.output);
+    };
+    if (options.to == "canvas" || options.to == "moodle") {
+        fill(options, batch, target(options.to + ".csv"));
+    } else if (options.to == "gradescope") {
+        writeEach(batch, folder, target("gradescope"), ".json", gradescopeResult);
+    } else if (options.to == "prairielearn") {
+        writeEach(batch, folder, target("prairielearn"), ".json", prairieLearnResult);
+    } else if (options.to == "classroom50") {
+        const Classroom classroom{options.classroom,
+                                  toString(std::chrono::time_point_cast<std::chrono::seconds>(
+                                      std::chrono::system_clock::now()))};
+        writeEach(batch, folder, target("classroom50"), ".json",
+                  [&](const Scored& scored) { return classroom50Result(scored, classroom); });
+    } else if (options.to == "autolab") {
+        writeEach(batch, folder, target("autolab"), ".txt", autolabLine);
+    } else if (options.to == "junit") {
+        std::vector<Scored> all;
+        for (const Json& each : batch.students)
+            all.push_back(scoredOf(each, folder));
+        writeFile(target("junit.xml"), junitXml(batch.assignment, all));
+        written(target("junit.xml"), all.size());
+    } else {
+        writeFile(target("marks.csv"), tableOf(linesOf(batch)));
+        written(target("marks.csv"), batch.students.size());
+    }
+    say(batch.unmarked);
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, int& exitCode) {
+    static Options options;
+    CLI::App* command =
+        app.add_subcommand("export", "turn what a batch found into a learning platform's own form");
+    command->add_option("folder", options.folder, "what ./grade batch --out wrote")->required();
+    command->add_option("--to", options.to, "the platform, or a form that many read")
+        ->required()
+        ->check(CLI::IsMember({"canvas", "moodle", "gradescope", "prairielearn", "classroom50",
+                               "autolab", "junit", "csv"}));
+    command->add_option("--into", options.into,
+                        "the gradebook of Canvas or the worksheet of Moodle; a copy is filled in");
+    command->add_option("--column", options.column,
+                        "column of Canvas's gradebook; default the one named like the assignment");
+    command->add_option("--classroom", options.classroom, "name of the class, for classroom50");
+    command->add_option("--output", options.output,
+                        "file or folder to write; default below FOLDER/export");
+    command->callback([&exitCode] {
+        exportBatch(options);
+        exitCode = kFullMarks;
+    });
+}
+
+}  // namespace grader
