@@ -101,8 +101,10 @@ std::size_t openFilesOf(pid_t process) {
 }
 
 Allowance allowance() {
-    return {limitOf(RLIMIT_AS), limitOf(RLIMIT_NPROC), limitOf(RLIMIT_FSIZE),
-            limitOf(RLIMIT_NOFILE), limitOf(RLIMIT_CPU)};
+    // Without a limit (under a sanitizer), more than anybody needs and less than a machine has.
+    constexpr std::size_t kMostMemory = std::size_t(4) << 30;
+    return {std::min<std::size_t>(limitOf(RLIMIT_AS), kMostMemory), limitOf(RLIMIT_NPROC),
+            limitOf(RLIMIT_FSIZE), limitOf(RLIMIT_NOFILE), limitOf(RLIMIT_CPU)};
 }
 
 }  // namespace runner

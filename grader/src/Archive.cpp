@@ -34,7 +34,7 @@ Confinement confinementOf(const Job& job) {
     Confinement confinement;
     confinement.user = job.user.id();
     confinement.limits.cpuSeconds = kSeconds;
-    confinement.limits.memoryMib = kMemoryMib;
+    confinement.limits.memoryMib = memoryForOwn(kMemoryMib);
     confinement.limits.fileMib = kMostMib;
     return confinement;
 }

@@ -10,8 +10,6 @@ namespace grader {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 4u << 20;
-
 /// Files of the assignment's folder that are no part of a subject.
 bool isProvided(const fs::path& name) {
     static const std::set<std::string> others = {"app.cpp", "README.md", "assignment.json"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "Manifest.h"
 
 namespace grader {
+
+/// Bytes of a file that is taken, at most.
+inline constexpr std::uintmax_t kLargestFile = 4u << 20;
 
 /// Where a submission is. Either `folder` holds one folder per assignment, or it is the folder of
 /// one assignment's files.

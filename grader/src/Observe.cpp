@@ -119,7 +119,7 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
     // One thread, and no cache that another program could have filled.
     confinement.environment = {"GALLIUM_DRIVER=" + renderer_.driver, "LIBGL_ALWAYS_SOFTWARE=1",
                                "LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true"};
-    confinement.limits.memoryMib = manifest.limits.memoryMib;
+    confinement.limits.memoryMib = memoryForOwn(manifest.limits.memoryMib);
     confinement.limits.cpuSeconds = kRunnerSeconds;
     return sandbox_.confine(confinement, {tools_.runner().string(), build.object.string(),
                                           tools_.kit.string(), renderer_.context});

@@ -67,14 +67,16 @@ int threadsOfThisUser() {
 
 /// Its last step, which sets the limits and the filter.
 Command limitCommand(const fs::path& confine, const Limits& limits, int otherProcesses) {
-    return {confine.string(),
-            "limit",
-            fmt::format("cpu={}", limits.cpuSeconds),
-            fmt::format("memory={}", limits.memoryMib),
-            fmt::format("processes={}", limits.processes + otherProcesses),
-            fmt::format("file={}", limits.fileMib),
-            fmt::format("files={}", limits.openFiles),
-            "--"};
+    Command command = {confine.string(),
+                       "limit",
+                       fmt::format("cpu={}", limits.cpuSeconds),
+                       fmt::format("processes={}", limits.processes + otherProcesses),
+                       fmt::format("file={}", limits.fileMib),
+                       fmt::format("files={}", limits.openFiles)};
+    if (limits.memoryMib > 0)
+        command.push_back(fmt::format("memory={}", limits.memoryMib));
+    command.push_back("--");
+    return command;
 }
 
 class Bubblewrap : public Sandbox {
@@ -167,6 +169,14 @@ std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine) {
 }
 std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine) {
     return std::make_unique<PlainProcess>(confine);
+}
+
+int memoryForOwn(int mib) {
+#ifdef __SANITIZE_ADDRESS__
+    return 0 * mib;
+#else
+    return mib;
+#endif
 }
 
 bool runsInCi() {

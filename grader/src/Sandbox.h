@@ -10,7 +10,7 @@ namespace grader {
 
 struct Limits {
     int cpuSeconds = 20;
-    int memoryMib = 1024;
+    int memoryMib = 1024;  ///< of address space; 0: no limit
     int processes = 64;
     int fileMib = 256;
     int openFiles = 128;
@@ -54,6 +54,10 @@ std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine);
 
 /// How long a sandbox may take to start: a crowded machine must not pass for one without any.
 inline constexpr double kSandboxPatience = 60.0;
+
+/// The limit of memory for a program of ours. A sanitizer reserves terabytes of addresses, so with
+/// one there is no limit.
+int memoryForOwn(int mib);
 
 struct SandboxWish {
     bool none = false;       ///< --no-sandbox: a plain process, whatever the machine has

@@ -5,6 +5,7 @@
 
 #include "Error.h"
 #include "commands/BatchCommand.h"
+#include "commands/ClassCommands.h"
 #include "commands/CompareCommand.h"
 #include "commands/CourseCommands.h"
 #include "commands/DeveloperCommands.h"
@@ -42,6 +43,8 @@ int main(int argc, char** argv) {
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
     grader::addBatchCommand(app, exitCode);
+    grader::addMergeCommand(app, exitCode);
+    grader::addReplayCommand(app, exitCode);
     grader::addExportCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);

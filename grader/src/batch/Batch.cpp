@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "Error.h"
+#include "batch/Replay.h"
 #include "report/HtmlReport.h"
 
 namespace grader {
@@ -51,8 +52,21 @@ std::string hashOfReferences(const fs::path& repository) {
     return sha256(text + hashOfFolder(repository / "refs"));
 }
 
+/// Where a submission has what may be handed in for an assignment, by name.
+std::map<std::string, fs::path> filesIn(const Submission& submission, const Manifest& manifest) {
+    std::map<std::string, fs::path> files;
+    const fs::path folder = submission.folderFor(manifest.id, manifest.id);
+    for (const std::string& name : manifest.submit)
+        files[name] = folder / name;
+    for (const auto& [name, from] : manifest.inherits)
+        files[name] = fs::exists(fs::symlink_status(folder / name))
+                          ? folder / name
+                          : submission.folderFor(from, manifest.id) / name;
+    return files;
+}
+
 Standing standingFrom(const std::string& entrant, Json document) {
-    Standing standing{entrant, document.at("status"), "", 0, 0, nullptr, false};
+    Standing standing{entrant, document.at("status"), "", 0, 0, nullptr, "", false};
     if (standing.status == "refused") {
         standing.sentence = document.at("sentence");
     } else {
@@ -66,13 +80,14 @@ Standing standingFrom(const std::string& entrant, Json document) {
 }  // namespace
 
 Batch::Batch(const Grader& grader, const Sandbox& sandbox, const Manifest& manifest,
-             const Ledger& ledger, std::uint64_t seed, std::string key)
+             const Ledger& ledger, std::uint64_t seed, std::string key, bool stable)
     : grader_(grader),
       sandbox_(sandbox),
       manifest_(manifest),
       ledger_(ledger),
       seed_(seed),
-      key_(std::move(key)),
+      key_(std::move(key) + (stable ? "stable\n" : "")),
+      stable_(stable),
       known_(knownAssignments(grader.tools().root)) {}
 
 std::vector<Standing> Batch::run(const std::vector<Entrant>& entrants, int jobs, bool fresh,
@@ -118,6 +133,7 @@ Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
             if (auto known = fresh ? std::nullopt : ledger_.known(entrant.name, key)) {
                 Standing standing = standingFrom(entrant.name, std::move(*known));
                 standing.fromBefore = true;
+                standing.unstable = ledger_.record(entrant.name).value("unstable", "");
                 return standing;
             }
             ledger_.begin(entrant.name);
@@ -129,7 +145,7 @@ Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
             fault = error.what();
         }
     }
-    return {entrant.name, "grader_error", fault, 0, 0, nullptr, false};
+    return {entrant.name, "grader_error", fault, 0, 0, nullptr, "", false};
 }
 
 Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const {
@@ -150,11 +166,30 @@ Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const 
     std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, seed_)};
     if (!unpacked.notice.empty())
         results.front().notices.push_back(unpacked.notice);
+    const std::string unstable = stable_ ? repeated(submission, results.front()) : "";
     writeReports(results, entrant.name);
     ledger_.keepPrint(printOf(entrant.name, submission));
+    ledger_.keepSubmission(entrant.name, filesIn(submission, manifest_), manifest_.id);
+    ledger_.keepRecord(entrant.name,
+                       {{"assignment", manifest_.id}, {"seed", seed_}, {"unstable", unstable}});
     const std::string document = toJson(results.front());
     ledger_.keep(entrant.name, results.front().graderFailed() ? "" : key, document);
-    return standingFrom(entrant.name, Json::parse(document));
+    Standing standing = standingFrom(entrant.name, Json::parse(document));
+    standing.unstable = unstable;
+    return standing;
+}
+
+/// How two more gradings differ from the first.
+std::string Batch::repeated(const Submission& submission, const AssignmentResult& first) const {
+    const Json then = Json::parse(toJson(first));
+    for (int time = 2; time <= 3; ++time) {
+        const auto differences =
+            differencesOf(then, Json::parse(toJson(grader_.grade(manifest_, submission, seed_))));
+        if (!differences.empty())
+            return fmt::format("graded three times, it came out differently: {}",
+                               fmt::join(differences, "; "));
+    }
+    return "";
 }
 
 Print Batch::printOf(const std::string& entrant, const Submission& submission) const {

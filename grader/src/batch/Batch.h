@@ -18,6 +18,7 @@ struct Standing {
     std::string sentence;  ///< why it was refused, or what the grader's fault was
     double points = 0, maxPoints = 0;
     Json result;              ///< the result document; null where there is none
+    std::string unstable;     ///< how repeated gradings differ; empty when they agree
     bool fromBefore = false;  ///< nothing that decides it has changed: not graded again
     bool graderFailed() const { return status == "grader_error"; }
 };
@@ -31,9 +32,10 @@ struct Standing {
 /// for a student has no reference in it, and a second one beside the students' folders has.
 class Batch {
 public:
-    /// `key`: of all that decides results beside the submission itself. All must outlive this.
+    /// `key`: of all that decides results beside the submission itself. `stable`: each is graded
+    /// three times, and those that differ are said. All must outlive this.
     Batch(const Grader& grader, const Sandbox& sandbox, const Manifest& manifest,
-          const Ledger& ledger, std::uint64_t seed, std::string key);
+          const Ledger& ledger, std::uint64_t seed, std::string key, bool stable);
 
     /// In the order of the entrants, without those that were not begun when `stop` became true.
     /// `tell` is called after each, by one thread at a time.
@@ -46,6 +48,7 @@ private:
     Standing gradeOnce(const Entrant& entrant, const std::string& key) const;
     Print printOf(const std::string& entrant, const Submission& submission) const;
     Unpacked laidOut(const Entrant& entrant, const Job& job) const;
+    std::string repeated(const Submission& submission, const AssignmentResult& first) const;
     void writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const;
     Submission submissionIn(const fs::path& folder) const;
     std::string keyOf(const Entrant& entrant) const;
@@ -56,6 +59,7 @@ private:
     const Ledger& ledger_;
     std::uint64_t seed_;
     std::string key_;
+    bool stable_;
     std::vector<std::string> known_;  ///< assignments
 };
 

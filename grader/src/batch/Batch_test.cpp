@@ -130,13 +130,14 @@ protected:
         tree_.write("instructor/a, <i>/report/06-rotation/turned.reference.png", "");
     }
     Overview overview() const {
-        return {manifest_, marks_, notTaken_, alike_, 7, "bubblewrap", "g++ 12", "a cpu"};
+        return {manifest_, marks_, notTaken_, alike_, class_, 7, Json{{"sandbox", "bubblewrap"}}};
     }
 
     Tree tree_;
     Manifest manifest_ = someManifest();
     std::vector<Mark> marks_;
     std::vector<std::string> notTaken_ = {"list.txt: neither a folder nor an archive"};
+    std::vector<std::string> class_ = {"=alpha", "beta", "gamma", "delta"};
     std::vector<Likeness> alike_ = {{"a, <i>", "beta", 0.93, false}};
 };
 

@@ -317,6 +317,7 @@ protected:
                 Json{{"tasks",
                       {{{"id", "view-matrix"}, {"points", view}},
                        {{"id", "rotate-up"}, {"points", up}}}}},
+                "",
                 false};
     }
     std::vector<Mark> marks(const std::string& decisions = "", double view = 20) {
@@ -330,10 +331,11 @@ protected:
         policy.percentPerDay = 10;
         const auto students = roster("ann,,,,,\nbob,,,,,\ncy,,,,,\n");
         const ClassList list = whoIsWho(intake_, &students);
-        auto all = marksOf(someManifest(), list,
-                           {{"ann", graded("ann", view, 60)},
-                            {"bob", {"bob", "refused", "it is encrypted", 0, 0, Json(), false}}},
-                           AttemptRule::last, policy, overrides);
+        auto all =
+            marksOf(someManifest(), list,
+                    {{"ann", graded("ann", view, 60)},
+                     {"bob", {"bob", "refused", "it is encrypted", 0, 0, Json(), "", false}}},
+                    AttemptRule::last, policy, overrides);
         overrides.remember();
         return all;
     }

@@ -1,5 +1,7 @@
 #include "batch/Ledger.h"
 
+#include "Collect.h"
+
 namespace grader {
 
 std::optional<Json> Ledger::known(const std::string& entrant, const std::string& key) const {
@@ -26,6 +28,33 @@ void Ledger::keep(const std::string& entrant, const std::string& key,
     writeFile(folderOf(entrant) / "result.json", result);
     if (!key.empty())
         writeFile(folderOf(entrant) / "key", key);
+}
+
+void Ledger::keepSubmission(const std::string& entrant,
+                            const std::map<std::string, fs::path>& files,
+                            const std::string& assignment) const {
+    const fs::path home = submissionOf(entrant) / assignment;
+    fs::create_directories(home);
+    for (const auto& [name, file] : files) {
+        std::error_code unreadable;
+        if (!fs::is_regular_file(fs::symlink_status(file, unreadable)) ||
+            fs::file_size(file, unreadable) > kLargestFile)
+            continue;
+        fs::create_directories((home / name).parent_path());
+        fs::copy_file(file, home / name, unreadable);
+    }
+}
+
+Json Ledger::record(const std::string& entrant) const {
+    try {
+        return parseJsonFile((instructorFolderOf(entrant) / "record.json").string());
+    } catch (const Error&) {
+        return Json::object();
+    }
+}
+
+void Ledger::keepRecord(const std::string& entrant, const Json& record) const {
+    writeFile(instructorFolderOf(entrant) / "record.json", record.dump(2) + "\n");
 }
 
 std::optional<Print> Ledger::print(const std::string& entrant) const {

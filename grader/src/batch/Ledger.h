@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -34,6 +35,18 @@ public:
     /// What the submission is compared by with others; nothing when it was not kept.
     std::optional<Print> print(const std::string& entrant) const;
     void keepPrint(const Print& print) const;
+
+    /// What the submission consisted of, for replay: those of its files that can be read and are
+    /// not larger than what is ever taken. `files`: by name.
+    fs::path submissionOf(const std::string& entrant) const {
+        return instructorFolderOf(entrant) / "submission";
+    }
+    void keepSubmission(const std::string& entrant, const std::map<std::string, fs::path>& files,
+                        const std::string& assignment) const;
+
+    /// What else an instructor has to know; an empty object when nothing is known.
+    Json record(const std::string& entrant) const;
+    void keepRecord(const std::string& entrant, const Json& record) const;
 
 private:
     fs::path folder_;

@@ -23,6 +23,8 @@ Mark markFrom(const Manifest& manifest, const Participant& participant, const St
         mark.status = standing->status;
         mark.sentence = standing->sentence;
         mark.result = standing->result;
+        if (!standing->unstable.empty())
+            mark.warnings.push_back(standing->unstable);
         if (standing->result.contains("tasks"))
             for (const Json& task : standing->result.at("tasks"))
                 points[task.at("id")] = task.at("points");
@@ -76,6 +78,53 @@ std::vector<std::string> Mark::remarks() const {
     if (!lateness.says.empty())
         all.push_back(lateness.says);
     return all;
+}
+
+Json jsonOf(const Mark& mark) {
+    Json tasks = Json::array();
+    for (const TaskMark& task : mark.tasks) {
+        tasks.push_back({{"id", task.id}, {"points", task.points}, {"max_points", task.maxPoints}});
+        if (!task.reason.empty()) {
+            tasks.back()["automatic"] = task.automatic;
+            tasks.back()["reason"] = task.reason;
+        }
+    }
+    Json json = {{"student", mark.student.id},    {"name", mark.student.name},
+                 {"email", mark.student.email},   {"section", mark.student.section},
+                 {"submission", mark.submission}, {"status", mark.status},
+                 {"points", mark.points},         {"automatic", mark.automatic},
+                 {"max_points", mark.maxPoints},  {"sentence", mark.sentence},
+                 {"remarks", mark.remarks()},     {"tasks", tasks},
+                 {"warnings", mark.warnings}};
+    if (mark.lateness.late)
+        json["late"] = {{"days", mark.lateness.days},
+                        {"percent", mark.lateness.percent},
+                        {"says", mark.lateness.says}};
+    return json;
+}
+
+Mark markFrom(const Json& json) {
+    Mark mark;
+    mark.student.id = json.at("student");
+    mark.student.name = json.at("name");
+    mark.student.email = json.at("email");
+    mark.student.section = json.at("section");
+    mark.submission = json.at("submission");
+    mark.status = json.at("status");
+    mark.points = json.at("points");
+    mark.automatic = json.at("automatic");
+    mark.maxPoints = json.at("max_points");
+    mark.sentence = json.at("sentence");
+    mark.warnings = json.at("warnings").get<std::vector<std::string>>();
+    for (const Json& task : json.at("tasks")) {
+        const double points = task.at("points");
+        mark.tasks.push_back({task.at("id"), task.value("automatic", points), points,
+                              task.at("max_points"), task.value("reason", "")});
+    }
+    if (json.contains("late"))
+        mark.lateness = {true, json.at("late").at("days"), json.at("late").at("percent"),
+                         json.at("late").at("says")};
+    return mark;
 }
 
 std::vector<Mark> marksOf(const Manifest& manifest, const ClassList& list,

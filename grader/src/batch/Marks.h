@@ -32,6 +32,11 @@ struct Mark {
     std::vector<std::string> remarks() const;
 };
 
+/// As grader/RESULT.md describes a student of results.json, and back. The result document is not
+/// part of it.
+Json jsonOf(const Mark& mark);
+Mark markFrom(const Json& json);
+
 /// Of several submissions the rule's choice; decisions of people take the place of automatic
 /// points; then being late is charged. Participants whose submissions were not all graded (the
 /// batch was stopped) are left out. `standings`: by the entrant's name.

@@ -4,37 +4,12 @@
 
 namespace grader {
 
-namespace {
-
-Json jsonOf(const Mark& mark) {
-    Json tasks = Json::array();
-    for (const TaskMark& task : mark.tasks) {
-        tasks.push_back({{"id", task.id}, {"points", task.points}, {"max_points", task.maxPoints}});
-        if (!task.reason.empty()) {
-            tasks.back()["automatic"] = task.automatic;
-            tasks.back()["reason"] = task.reason;
-        }
-    }
-    Json json = {{"student", mark.student.id},    {"name", mark.student.name},
-                 {"email", mark.student.email},   {"section", mark.student.section},
-                 {"submission", mark.submission}, {"status", mark.status},
-                 {"points", mark.points},         {"automatic", mark.automatic},
-                 {"max_points", mark.maxPoints},  {"sentence", mark.sentence},
-                 {"remarks", mark.remarks()},     {"tasks", tasks}};
-    if (mark.lateness.late)
-        json["late"] = {{"days", mark.lateness.days}, {"percent", mark.lateness.percent}};
-    if (!mark.warnings.empty())
-        json["warnings"] = mark.warnings;
-    return json;
-}
-
-}  // namespace
-
 std::string Overview::json() const {
     Json document = {{"format", 1},
                      {"assignment", manifest.id},
                      {"seed", seed},
-                     {"environment", {{"sandbox", sandbox}, {"compiler", compiler}, {"cpu", cpu}}},
+                     {"environment", environment},
+                     {"class", classIds},
                      {"not_taken", notTaken},
                      {"alike", Json::array()},
                      {"students", Json::array()}};
@@ -63,6 +38,23 @@ std::string Overview::csv() const {
                             csvCell(fmt::format("{}", fmt::join(each.remarks(), " | "))));
     }
     return text;
+}
+
+std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks) {
+    std::map<std::string, Print> prints;
+    for (const Mark& each : marks)
+        if (auto print = each.submission.empty() ? std::nullopt : ledger.print(each.submission))
+            prints.emplace(each.submission, std::move(*print));
+    std::vector<Print> all;
+    for (auto& [name, print] : prints)
+        all.push_back(std::move(print));
+    return nearlyIdentical(all);
+}
+
+void writeOverview(const Overview& overview, const fs::path& out) {
+    writeFile(out / "results.json", overview.json());
+    writeFile(out / "results.csv", overview.csv());
+    writeFile(out / "index.html", overviewPage(overview, out));
 }
 
 }  // namespace grader

@@ -14,8 +14,9 @@ struct Overview {
     const std::vector<Mark>& marks;            ///< by student
     const std::vector<std::string>& notTaken;  ///< what was in the folder and is nobody's
     const std::vector<Likeness>& likenesses;
+    const std::vector<std::string>& classIds;  ///< all students, those of other shards, too
     std::uint64_t seed;
-    std::string sandbox, compiler, cpu;
+    Json environment;  ///< sandbox, compiler, cpu, grader
 
     std::string json() const;  ///< as grader/RESULT.md describes it
     std::string csv() const;   ///< RFC 4180; a row for each student, a column for each task
@@ -26,5 +27,11 @@ struct Overview {
 /// mistakes by frequency, a gallery of every frame, and submissions that are nearly identical.
 /// `out`: the folder that it will lie in.
 std::string overviewPage(const Overview& overview, const fs::path& out);
+
+/// Submissions of these marks that are nearly identical.
+std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks);
+
+/// Writes results.json, results.csv and index.html.
+void writeOverview(const Overview& overview, const fs::path& out);
 
 }  // namespace grader

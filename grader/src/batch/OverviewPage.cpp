@@ -76,7 +76,7 @@ private:
         return fmt::format(
             "{} students, {} with a mark (mean {:.1f} points), {} missing, {} late; sandbox {}",
             marks_.size(), graded, graded ? sum / static_cast<double>(graded) : 0.0, missing, late,
-            escaped(all_.sandbox));
+            escaped(all_.environment.value("sandbox", "")));
     }
 
     static std::string navigation() {

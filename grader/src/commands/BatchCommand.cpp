@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "Error.h"
@@ -24,12 +25,29 @@ namespace grader {
 
 namespace {
 
+/// The part of the class that this machine grades: the index-th of count.
+struct Shard {
+    std::size_t index = 1, count = 1;
+
+    explicit Shard(const std::string& text = "1/1") {
+        const std::string complaint =
+            "--shard " + text + ": expected a part of a whole like 2/8, counted from 1";
+        std::istringstream in(text);
+        char slash = 0;
+        if (!(in >> index >> slash >> count) || slash != '/' || !in.eof() || index < 1 ||
+            index > count)
+            throw Error("{}", complaint);
+    }
+    bool holds(std::size_t which) const { return which % count == index - 1; }
+};
+
 struct Options {
     std::string submissions, assignment, out, roster, policy, times, overrides;
     AttemptRule attempt = AttemptRule::last;
     int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::optional<std::uint64_t> seed;
-    bool fresh = false, quiet = false, noSandbox = false;
+    bool fresh = false, stable = false, quiet = false, noSandbox = false;
+    Shard shard;
 };
 
 std::atomic<bool> stop = false;
@@ -128,6 +146,15 @@ std::vector<std::string> notTaken(const Intake& intake, const ClassList& list, c
     return all;
 }
 
+/// Of the class those that hand in what this shard grades; who handed in nothing is in all of them.
+ClassList partOf(ClassList list, const Shard& shard) {
+    std::size_t which = 0;
+    std::erase_if(list.participants, [&](const Participant& each) {
+        return !each.attempts.empty() && !shard.holds(which++);
+    });
+    return list;
+}
+
 /// The submissions that are to be graded, each once.
 std::vector<Entrant> chosen(const ClassList& list, const Options& options, const Policy& policy) {
     std::map<std::string, const Entrant*> all;
@@ -138,17 +165,6 @@ std::vector<Entrant> chosen(const ClassList& list, const Options& options, const
     for (const auto& [name, entrant] : all)
         entrants.push_back(*entrant);
     return entrants;
-}
-
-std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks) {
-    std::map<std::string, Print> prints;
-    for (const Mark& each : marks)
-        if (auto print = each.submission.empty() ? std::nullopt : ledger.print(each.submission))
-            prints.emplace(each.submission, std::move(*print));
-    std::vector<Print> all;
-    for (auto& [name, print] : prints)
-        all.push_back(std::move(print));
-    return nearlyIdentical(all);
 }
 
 int runBatch(const Options& options) {
@@ -163,7 +179,8 @@ int runBatch(const Options& options) {
                            knownAssignments(tools.root));
     if (!options.times.empty())
         addTimes(intake, options.times);
-    const ClassList list = whoIsWho(intake, rules.roster ? &*rules.roster : nullptr);
+    const ClassList everybody = whoIsWho(intake, rules.roster ? &*rules.roster : nullptr);
+    const ClassList list = partOf(everybody, options.shard);
     const auto entrants = chosen(list, options, rules.policy);
 
     fs::create_directories(out);
@@ -172,7 +189,7 @@ int runBatch(const Options& options) {
     const Ledger ledger(out);
     const Grader grader(tools, *sandbox);
     const Batch batch(grader, *sandbox, manifest, ledger, seed,
-                      keyOfRules(tools, *sandbox, manifest, seed));
+                      keyOfRules(tools, *sandbox, manifest, seed), options.stable);
     std::signal(SIGINT, onInterrupt);
     Progress progress(entrants.size(), options.quiet);
     std::map<std::string, Standing> standings;
@@ -187,13 +204,14 @@ int runBatch(const Options& options) {
         marksOf(manifest, list, standings, options.attempt, rules.policy, rules.overrides);
     rules.overrides.remember();
     const auto likenesses = likenessesAmong(ledger, marks);
-    const auto leftOut = notTaken(intake, list, rules);
-    const Overview overview{
-        manifest,  marks, leftOut, likenesses, seed, sandbox->name(), tools.compilerVersion,
-        cpuModel()};
-    writeFile(out / "results.json", overview.json());
-    writeFile(out / "results.csv", overview.csv());
-    writeFile(out / "index.html", overviewPage(overview, out));
+    const auto leftOut = notTaken(intake, everybody, rules);
+    const auto classIds = namesOf(everybody);
+    writeOverview({manifest, marks, leftOut, likenesses, classIds, seed,
+                   Json{{"sandbox", sandbox->name()},
+                        {"grader", tools.version},
+                        {"compiler", tools.compilerVersion},
+                        {"cpu", cpuModel()}}},
+                  out);
 
     const auto faults = std::count_if(standings.begin(), standings.end(),
                                       [](const auto& each) { return each.second.graderFailed(); });
@@ -243,6 +261,13 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
         ->capture_default_str();
     command->add_option("--seed", options.seed,
                         "seed of random inputs; default a secret one, the same for all");
+    command
+        ->add_option_function<std::string>(
+            "--shard", [](const std::string& text) { options.shard = Shard(text); },
+            "grade the i-th of n parts of the class, i/n; give all the same --seed, then: merge")
+        ->default_str("1/1");
+    command->add_flag("--stable", options.stable,
+                      "grade each three times, and name those that come out differently");
     command->add_flag("--fresh", options.fresh, "grade again what is known already");
     command->add_flag("--quiet", options.quiet, "show no progress");
     command->add_flag("--no-sandbox", options.noSandbox,

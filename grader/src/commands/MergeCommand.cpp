@@ -1,0 +1,45 @@
+#include <iostream>
+
+#include "Error.h"
+#include "Toolchain.h"
+#include "batch/Merge.h"
+#include "commands/ClassCommands.h"
+#include "commands/GradeCommand.h"
+
+namespace grader {
+
+namespace {
+
+int merge(const std::vector<std::string>& parts, const fs::path& out) {
+    const Toolchain tools = Toolchain::load();
+    Merged merged = readParts({parts.begin(), parts.end()});
+    const Manifest manifest = loadAssignment(tools.root, merged.assignment);
+    fs::create_directories(out);
+    copyFolders(merged, out);
+    const auto likenesses = likenessesAmong(Ledger(out), merged.marks);
+    writeOverview({manifest, merged.marks, merged.notTaken, likenesses, merged.classIds,
+                   merged.seed, merged.environment},
+                  out);
+    for (const std::string& each : merged.notTaken)
+        std::cout << "Look at: " << each << "\n";
+    for (const std::string& each : merged.missing)
+        std::cout << "Missing: " << each << " is in no part\n";
+    std::cout << fmt::format("{} of {} students\nOverview: {}\n", merged.marks.size(),
+                             merged.classIds.size(), fs::absolute(out / "index.html").string());
+    return merged.missing.empty() ? kFullMarks : kGraderFailed;
+}
+
+}  // namespace
+
+void addMergeCommand(CLI::App& app, int& exitCode) {
+    static std::vector<std::string> parts;
+    static std::string out;
+    CLI::App* command = app.add_subcommand(
+        "merge", "put together what several machines graded with ./grade batch --shard");
+    command->add_option("parts", parts, "what each of them wrote to its --out")->required();
+    command->add_option("--out", out, "folder for all of it; it may be one of the parts")
+        ->required();
+    command->callback([&exitCode] { exitCode = merge(parts, out); });
+}
+
+}  // namespace grader
