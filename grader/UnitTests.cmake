@@ -50,13 +50,17 @@ target_compile_definitions(runner_tests PRIVATE
     GREEDY_SUBJECT="$<TARGET_FILE:grader_greedy_subject>")
 add_dependencies(runner_tests grader_greedy_subject)
 
-# The HTML report in a browser: reports by the grader itself, and one that has everything.
+# Pages in a browser: reports by the grader itself, one that has everything, a class of 500.
 add_executable(grader_sample_report testing/SampleReport.cpp)
 target_include_directories(grader_sample_report PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(grader_sample_report PRIVATE grader_core course_warnings)
+add_executable(grader_sample_class testing/SampleClass.cpp)
+target_include_directories(grader_sample_class PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(grader_sample_class PRIVATE grader_batch course_warnings)
 if(EXISTS ${PROJECT_SOURCE_DIR}/solutions)
     add_test(NAME report.browser COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests/run.js
-        $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>)
+        $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>
+        $<TARGET_FILE:grader_sample_class>)
     set_tests_properties(report.browser PROPERTIES TIMEOUT 600 RUN_SERIAL TRUE)
 endif()
 

@@ -8,7 +8,7 @@ import {dirname, extname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
-const [grader, sampleReport] = process.argv.slice(2);
+const [grader, sampleReport, sampleClass] = process.argv.slice(2);
 const work = mkdtempSync(join(tmpdir(), 'report-browser-'));
 process.on('exit', () => rmSync(work, {recursive: true, force: true}));
 
@@ -91,6 +91,11 @@ const makers = {
     edit(join(folder, 'rotation.cpp'), text => withRegion(
       text, 'rotation', `static_assert(false, ${cpp(kHostile)}); // ${kHostile}\x1b[2J`)), 1),
   sample: () => sample('sample'),
+  overview: () => {
+    const folder = join(work, 'overview');
+    execFileSync(sampleClass, [folder, '500']);
+    return join(folder, 'index.html');
+  },
   hostileSample: () => sample('hostileSample', kHostile + '\x1b[2J'),
 };
 

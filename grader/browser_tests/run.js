@@ -1,4 +1,5 @@
-// node run.js GRADER SAMPLE_REPORT: the HTML report, looked at in Chromium. Fails where no test ran.
+// node run.js GRADER SAMPLE_REPORT SAMPLE_CLASS: the HTML report and a batch's overview, looked at in
+// Chromium. Fails where no test ran.
 import {after, afterEach} from 'node:test';
 import {browser} from './browser.js';
 
@@ -15,3 +16,4 @@ process.on('exit', () => {
 await import('./viewer_tests.js');
 await import('./page_tests.js');
 await import('./hostile_tests.js');
+await import('./overview_tests.js');

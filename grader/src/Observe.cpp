@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "Error.h"
@@ -19,7 +20,8 @@ using judge::Status;
 constexpr int kRunnerSeconds = 60;
 constexpr double kJudgeSeconds = kRunnerSeconds * double(protocol::kMostStretch);
 
-/// After so many frames that ran out of time, the others are not tried.
+/// After so many frames that ran out of time, others are tried only for the sake of a task that
+/// none of those belongs to.
 constexpr int kMostLateFrames = 3;
 
 /// Only a renderer on the CPU gives the same picture everywhere.
@@ -219,12 +221,17 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     request.kind = protocol::RequestKind::frame;
     request.seed = seed;
     int late = 0;
+    std::set<std::string> lateTasks;
     for (const Frame& frame : manifest.frames) {
-        if (late == kMostLateFrames) {
+        const auto tasks = frame.tasks();
+        const bool worthTrying =
+            std::any_of(tasks.begin(), tasks.end(),
+                        [&](const std::string& task) { return !lateTasks.contains(task); });
+        if (late >= kMostLateFrames && !worthTrying) {
             frames.byId[frame.id].verdict = {
                 Status::timeout, fmt::format("the frame was not drawn: {} before it ran out of "
                                              "time",
-                                             kMostLateFrames)};
+                                             late)};
             continue;
         }
         request.name = frame.id;
@@ -233,7 +240,10 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
         protocol::Answer answer = subject->ask(request);
         FrameOutcome& outcome = frames.byId[frame.id];
         outcome.todos = answer.todos;
-        late += answer.outcome == protocol::Outcome::timeout ? 1 : 0;
+        if (answer.outcome == protocol::Outcome::timeout) {
+            ++late;
+            lateTasks.insert(tasks.begin(), tasks.end());
+        }
         const auto bytes = std::size_t(4) * static_cast<std::size_t>(frame.width) *
                            static_cast<std::size_t>(frame.height);
         if (answer.outcome == protocol::Outcome::ok && answer.payload.size() != bytes)

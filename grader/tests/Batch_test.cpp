@@ -1,6 +1,9 @@
 // A folder of submissions, graded by one command: every one gets its result, and none is lost.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <random>
 
 #include "Lab.h"
 
@@ -115,6 +118,186 @@ TEST_F(BatchTest, BadInputIsNamed) {
                                            "06-rotation", "--out", out().string()});
     EXPECT_EQ(missing.exitCode, 2);
     EXPECT_THAT(missing.text, HasSubstr("there is no such folder"));
+}
+
+TEST_F(BatchTest, WhatVanishedIsNobodysFault) {
+    // The first of four holds the batch for the second that its build hangs; by then the rest is
+    // gone.
+    Submission slow;
+    slow.write(kRotation, std::string(100000, ' ') + "#include \"/dev/zero\"\nfor(;;);");
+    put("a-slow", slow);
+    lab::run({"bash", "-c",
+              "\"$0\" batch \"$1\" --assignment 06-rotation --out \"$2\" --jobs 1 & "
+              "until [ -e \"$2\"/students/a-slow ]; do sleep 0.01; done; rm -r \"$1\"/half; wait",
+              COURSE_GRADER, home().string(), out().string()},
+             120);
+    EXPECT_EQ(student("half").at("status"), "grader_error");
+    EXPECT_THAT(student("half").at("sentence").get<std::string>(), HasSubstr("and is gone"));
+    EXPECT_EQ(student("honest").at("points"), 100.0) << "the others have their marks";
+}
+
+TEST_F(BatchTest, OneFolderTakesOneBatchAtATime) {
+    fs::create_directories(out());
+    const auto locked =
+        lab::run({"flock", (out() / "lock").string(), COURSE_GRADER, "batch", home().string(),
+                  "--assignment", "06-rotation", "--out", out().string()},
+                 60);
+    EXPECT_EQ(locked.exitCode, 2);
+    EXPECT_THAT(locked.output, HasSubstr("another batch is writing to"));
+    EXPECT_FALSE(fs::exists(out() / "results.json"));
+}
+
+TEST_F(BatchTest, AFullDiskIsSaidAndNothingIsLost) {
+    fs::create_directories(out());
+    if (!lab::run({"mount", "-t", "tmpfs", "-o", "size=300k", "none", out().string()}, 10)
+             .succeeded())
+        GTEST_SKIP() << "a small disk cannot be mounted here";
+    const Graded full = batch();
+    EXPECT_EQ(full.exitCode, 2);
+    EXPECT_THAT(full.text, HasSubstr("No space left on device"));
+    lab::run({"mount", "-o", "remount,size=64m", out().string()}, 10);
+    const Graded again = batch();
+    EXPECT_EQ(again.exitCode, 0) << again.text;
+    EXPECT_EQ(student("honest").at("points"), 100.0);
+    EXPECT_EQ(student("half").at("points"), 75.0);
+    lab::run({"umount", out().string()}, 10);
+}
+
+TEST_F(BatchTest, AnOutputThatCannotBeWrittenIsNamed) {
+    const Graded graded = lab::runGrader({"batch", home().string(), "--assignment", "06-rotation",
+                                          "--out", (home() / "list.txt" / "out").string()});
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_THAT(graded.text, HasSubstr("list.txt"));
+}
+
+TEST_F(BatchTest, KilledAtFiftyMomentsItEndsAsIfUndisturbed) {
+    const fs::path undisturbed = work_.path() / "undisturbed";
+    const auto run = [&](const fs::path& to, const std::string& wrapper) {
+        return lab::run({"bash", "-c",
+                         wrapper + " \"$0\" batch \"$1\" --assignment 06-rotation --seed 9 --out "
+                                   "\"$2\" --quiet",
+                         COURSE_GRADER, home().string(), to.string()},
+                        120);
+    };
+    ASSERT_TRUE(run(undisturbed, "").succeeded());
+    std::mt19937 random(50);
+    for (int kill = 0; kill < 50; ++kill)
+        run(out(), fmt::format("timeout -s KILL 0.{:03}", 30 + random() % 600));
+    ASSERT_TRUE(run(out(), "").succeeded());
+    EXPECT_EQ(lab::readFile(out() / "results.csv"), lab::readFile(undisturbed / "results.csv"));
+    std::size_t folders = 0;
+    for ([[maybe_unused]] const auto& each : fs::directory_iterator(out() / "students"))
+        ++folders;
+    EXPECT_EQ(folders, 4u) << "each is accounted for once";
+}
+
+TEST_F(BatchTest, ARepositoryIsReadFromItsCommitAndRunsNothing) {
+    const fs::path clone = home() / "clone", trace = work_.path() / "trace";
+    Submission half;
+    half.solve(kRotation, "cross-matrix", "    return glm::mat3(0.0f);\n");
+    fs::create_directories(clone);
+    fs::copy(half.folder() / "06-rotation", clone / "06-rotation", fs::copy_options::recursive);
+    const auto made = lab::run(
+        {"bash", "-ec",
+         "cd \"$0\"; git init -q .; git add .; "
+         "git -c user.name=x -c user.email=x@x commit -q -m work; "
+         "git config core.fsmonitor \"touch $1\"; git config core.pager \"touch $1\"; "
+         "git config core.sshCommand \"touch $1\"; "
+         "for hook in post-checkout pre-commit reference-transaction post-index-change; do "
+         "printf '#!/bin/sh\\ntouch %s\\n' \"$1\" > .git/hooks/$hook; chmod +x .git/hooks/$hook; "
+         "done; "
+         "echo '* filter=evil' > .git/info/attributes; git config filter.evil.smudge \"touch $1\"; "
+         "echo broken > 06-rotation/rotation.cpp",
+         clone.string(), trace.string()},
+        30);
+    ASSERT_TRUE(made.succeeded()) << made.output;
+    fs::remove(trace);  // git itself may have run what it was told to
+    fs::create_directories(home() / "empty-repository");
+    ASSERT_TRUE(
+        lab::run({"git", "init", "-q", (home() / "empty-repository").string()}, 10).succeeded());
+    const Graded graded = batch();
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_EQ(student("clone").at("points"), 75.0) << "what is committed, not what lies there";
+    EXPECT_EQ(student("empty-repository").at("status"), "refused");
+    EXPECT_FALSE(fs::exists(trace)) << "something of the repository was run";
+}
+
+/// The class that the README grades, see grader/examples/class.
+class ExampleClass : public testing::Test {
+protected:
+    fs::path home() const { return lab::root() / "grader/examples/class"; }
+    fs::path out(const std::string& name) const { return work_.path() / name; }
+    Graded batch(const std::string& name, std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments = {"batch",        (home() / "submissions").string(),
+                                              "--assignment", "06-rotation",
+                                              "--seed",       "7",
+                                              "--out",        out(name).string(),
+                                              "--roster",     (home() / "roster.csv").string(),
+                                              "--times",      (home() / "times.csv").string(),
+                                              "--policy",     (home() / "policy.json").string(),
+                                              "--overrides",  (home() / "overrides.csv").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return lab::runGrader(arguments);
+    }
+    Json student(const std::string& id) const {
+        const Json results = lab::parseJsonFile((out("all") / "results.json").string());
+        for (const Json& each : results.at("students"))
+            if (each.at("student") == id)
+                return each;
+        return nullptr;
+    }
+
+    lab::WorkFolder work_;
+};
+
+TEST_F(ExampleClass, IsGradedExportedReplayedAndMerged) {
+    const Graded all = batch("all");
+    ASSERT_EQ(all.exitCode, 0) << all.text;
+    EXPECT_THAT(all.text, HasSubstr("30 of 30 submissions have a result"));
+    EXPECT_THAT(all.text, HasSubstr("Look at: 1030 is not in the roster"));
+    EXPECT_EQ(student("1031").at("status"), "missing");
+    EXPECT_EQ(student("1011").at("late").at("percent"), 10.0);
+    EXPECT_NEAR(student("1011").at("points").get<double>(),
+                0.9 * student("1011").at("automatic").get<double>(), 1e-5);
+    EXPECT_FALSE(student("1019").contains("late")) << "it has an extension";
+    EXPECT_EQ(student("1007").at("points"), 100.0) << "the second submission counts";
+    EXPECT_EQ(student("1025").at("points"), 100.0) << "out of an archive";
+    EXPECT_EQ(student("1021").at("status"), "build_error");
+    EXPECT_EQ(student("1021").at("points"), 20.0) << "a person's decision";
+    EXPECT_EQ(student("1004").at("points"), 0.0);
+    const Json results = lab::parseJsonFile((out("all") / "results.json").string());
+    bool copied = false;
+    for (const Json& each : results.at("alike"))
+        copied = copied || each.at("submissions") == Json{"student028_1028", "student029_1029"};
+    EXPECT_TRUE(copied) << results.at("alike").dump(2);
+
+    const fs::path frame = "report/06-rotation/seeded-turn.reference.png";
+    EXPECT_FALSE(fs::exists(out("all") / "students/student001_1001" / frame));
+    EXPECT_TRUE(fs::exists(out("all") / "instructor/student001_1001" / frame));
+
+    const Graded replayed =
+        lab::runGrader({"replay", (out("all") / "students/student003_1003").string()});
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.text;
+    EXPECT_THAT(replayed.text, HasSubstr("the mark agrees"));
+
+    const Graded exported = lab::runGrader({"export", out("all").string(), "--to", "canvas",
+                                            "--into", (home() / "gradebook.csv").string()});
+    EXPECT_EQ(exported.exitCode, 0) << exported.text;
+    EXPECT_THAT(exported.text, HasSubstr("29 marks written"));
+    EXPECT_THAT(lab::readFile(out("all") / "export/canvas.csv"),
+                HasSubstr("\"07, Student\",1007,,student007@example.edu,A,20.00,"));
+    for (const char* each :
+         {"gradescope", "prairielearn", "classroom50", "autolab", "junit", "csv"})
+        EXPECT_EQ(lab::runGrader({"export", out("all").string(), "--to", each}).exitCode, 0)
+            << each;
+
+    ASSERT_EQ(batch("one", {"--shard", "1/2"}).exitCode, 0);
+    ASSERT_EQ(batch("two", {"--shard", "2/2"}).exitCode, 0);
+    const Graded merged = lab::runGrader(
+        {"merge", out("two").string(), out("one").string(), "--out", out("merged").string()});
+    EXPECT_EQ(merged.exitCode, 0) << merged.text;
+    EXPECT_EQ(lab::readFile(out("merged") / "results.csv"),
+              lab::readFile(out("all") / "results.csv"));
 }
 
 }  // namespace

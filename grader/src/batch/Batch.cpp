@@ -43,6 +43,16 @@ std::string hashOfFolder(const fs::path& folder) {
     return sha256(text);
 }
 
+/// What vanished since the batch began must not count as a submission without files.
+void requireThere(const Entrant& entrant) {
+    std::vector<fs::path> needed = {entrant.path};
+    for (const LooseFile& each : entrant.files)
+        needed.push_back(each.path);
+    for (const fs::path& each : needed)
+        if (!fs::exists(each))
+            throw Error("{} was there when the batch began, and is gone", each.string());
+}
+
 /// Which commit a repository's HEAD names, however it does.
 std::string hashOfReferences(const fs::path& repository) {
     std::string text;
@@ -129,6 +139,7 @@ Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
     std::string fault;
     for (int attempt = 0; attempt < 2; ++attempt) {
         try {
+            requireThere(entrant);
             const std::string key = keyOf(entrant);
             if (auto known = fresh ? std::nullopt : ledger_.known(entrant.name, key)) {
                 Standing standing = standingFrom(entrant.name, std::move(*known));

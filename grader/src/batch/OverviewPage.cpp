@@ -7,6 +7,7 @@
 #include "batch/Overview.h"
 #include "batch/OverviewAssets.h"
 #include "report/Html.h"
+#include "report/Words.h"
 
 namespace grader {
 
@@ -43,6 +44,16 @@ void forEachCheck(const std::vector<Mark>& marks, Take&& take) {
             for (const Json& task : mark.result.at("tasks"))
                 for (const Json& check : task.at("checks"))
                     take(mark, check);
+}
+
+/// What a submission did that no honest mistake does; empty when nothing.
+std::string tampering(const Mark& mark) {
+    std::string message;
+    forEachCheck({mark}, [&](const Mark&, const Json& check) {
+        if (message.empty() && check.at("status") == "tampered")
+            message = check.at("message").get<std::string>();
+    });
+    return message;
 }
 
 class Page {
@@ -94,6 +105,9 @@ private:
                     fmt::format("<p class=alarm><b>{}</b>: {}: {}</p>\n", nameOf(each),
                                 each.graderFailed() ? "a fault of the grader, no mark" : "no mark",
                                 escaped(each.sentence));
+            if (const std::string how = tampering(each); !how.empty())
+                refused += fmt::format("<p class=alarm><b>{}</b>: tampered: {}</p>\n", nameOf(each),
+                                       escaped(how));
             for (const std::string& warning : each.warnings)
                 notices += fmt::format("<p class=notice><b>{}</b>: {}</p>\n", nameOf(each),
                                        escaped(warning));
@@ -270,10 +284,10 @@ private:
             if (const std::string picture = pictureOfCheck(mark, check); !picture.empty())
                 figures[check.at("id")] += fmt::format(
                     "<figure data-student=\"{}\"><a href=\"{}\"><img loading=lazy src=\"{}\" "
-                    "alt=\"picture of {}\"></a><figcaption>{} {:g} / {:g}</figcaption></figure>\n",
+                    "alt=\"picture of {}\"></a><figcaption>{} {}</figcaption></figure>\n",
                     escaped(mark.student.id), linkTo(picture), linkTo(picture), nameOf(mark),
-                    linked(mark, nameOf(mark)), check.at("points").get<double>(),
-                    check.at("max_points").get<double>());
+                    linked(mark, nameOf(mark)),
+                    scoreText(check.at("points"), check.at("max_points")));
         });
         std::string options, galleries;
         for (const Frame& frame : all_.manifest.frames) {
