@@ -13,55 +13,26 @@
 // are medians over the rounds' pairs.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <functional>
-#include <future>
 #include <iostream>
 
 #include "Error.h"
-#include "Grade.h"
-#include "ImageModule.h"
 #include "Process.h"
 #include "bench/Median.h"
+#include "bench/Ways.h"
 
 namespace {
 
-using namespace grader;
+using namespace bench;
 
 const std::string kAssignment = "07-camera";  // measured against the usual way, too
-constexpr double kPatience = 300.0;           // seconds for one command
-
-struct Cost {
-    double wall = 0, cpu = 0;
-};
-
-Cost measure(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    const double cpu = cpuSeconds();
-    work();
-    const double wall =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {wall, cpuSeconds() - cpu};
-}
-
-void mustRun(const std::vector<std::string>& command, int worstExitCode = 0) {
-    const ProcessResult result = run(command, kPatience);
-    if (result.timedOut || result.exitCode < 0 || result.exitCode > worstExitCode)
-        throw Error("{} failed:\n{}", fmt::join(command, " "), result.output);
-}
-
 class Bench {
 public:
     explicit Bench(const std::string& assignment)
-        : tools_(Toolchain::load()),
-          manifest_(loadAssignment(tools_.root, assignment)),
-          plain_(makePlainProcess(tools_.confine())),
-          observer_(tools_, *plain_, {}),
-          grader_(tools_, *plain_) {
+        : ways_(assignment), tools_(ways_.tools()), manifest_(ways_.manifest()) {
         submission_ = work_.path() / "submission";
         fs::copy(tools_.root / "solutions", submission_, fs::copy_options::recursive);
-        stage_ = grader_.stageOf(manifest_, "solutions");
+        stage_ = ways_.grader().stageOf(manifest_, "solutions");
     }
 
     static std::vector<std::string> assignments() {
@@ -82,41 +53,7 @@ public:
         writeFile(submission_ / manifest_.id / edited(), text);
     }
 
-    void bare() {
-        const fs::path folder = work_.path() / "bare";
-        fs::remove_all(folder);
-        std::vector<std::future<void>> compiling;
-        std::vector<std::string> link = {tools_.compiler};
-        link.insert(link.end(), tools_.linkFlags.begin(), tools_.linkFlags.end());
-        for (const StagedFile& file : stage_.files)
-            writeFile(folder / file.name, file.content);
-        for (const StagedFile& file : stage_.files) {
-            if (!file.name.ends_with(".cpp"))
-                continue;
-            const std::string object = (folder / file.name).string() + ".o";
-            link.push_back(object);
-            std::vector<std::string> command = {tools_.compiler};
-            command.insert(command.end(), tools_.compileFlags.begin(), tools_.compileFlags.end());
-            for (const std::string& each :
-                 {std::string("-include"), (tools_.kit / "prelude/prelude.h").string(),
-                  "-I" + (tools_.kit / "include").string(), "-I" + folder.string(),
-                  std::string("-c"), (folder / file.name).string(), std::string("-o"), object})
-                command.push_back(each);
-            compiling.push_back(std::async(std::launch::async, [command] { mustRun(command); }));
-        }
-        for (auto& each : compiling)
-            each.get();
-        BuildResult build;
-        build.ok = true;
-        build.stage = folder;
-        build.user = user_.id();
-        build.object = folder / "subject.so";
-        link.insert(link.end(),
-                    {(tools_.kit / "lib/libcg.a").string(), "-o", build.object.string()});
-        mustRun(link);
-        shareWithSandbox(folder, user_.id(), false);
-        observer_.drawFrames(manifest_, build, 1);
-    }
+    void bare() { ways_.bare(stage_); }
 
     void grade() {
         mustRun(
@@ -129,37 +66,13 @@ public:
         grade();
     }
 
-    void usualWay() {
-        const fs::path folder = work_.path() / "usual";
-        fs::remove_all(folder);
-        fs::copy(fs::path(COURSE_BENCH) / "usual_way", folder, fs::copy_options::recursive);
-        for (const StagedFile& file : stage_.files)
-            writeFile(folder / file.name, file.content);
-        const std::string build = (folder / "build").string();
-        mustRun({"cmake", "-S", folder.string(), "-B", build, "-G", "Ninja",
-                 "-DCMAKE_BUILD_TYPE=Release", "-DCOURSE_ROOT=" + tools_.root.string(),
-                 "-DCOURSE_BUILD=" + tools_.build.string(), "-DASSIGNMENT=" + kAssignment});
-        mustRun({"cmake", "--build", build});
-        mustRun({"ctest", "--test-dir", build}, 8);
-        const std::string frames = (folder / "frames").string();
-        fs::create_directories(frames);
-        mustRun({"sh", "-c", "cd " + folder.string() + " && build/render " + frames});
-        for (const Frame& frame : manifest_.frames)
-            mustRun(
-                {"idiff", "-fail", "0.016", "-failpercent", "0.05",
-                 frames + "/" + frame.id + ".png",
-                 (tools_.root / "reference_images" / kAssignment / (frame.id + ".png")).string()},
-                2);
-    }
+    void usualWay() { ways_.usual(stage_); }
 
 private:
-    Toolchain tools_;
-    Manifest manifest_;
-    std::unique_ptr<Sandbox> plain_;
-    Observer observer_;
-    Grader grader_;
+    Ways ways_;
+    const Toolchain& tools_;
+    const Manifest& manifest_;
     WorkFolder work_;
-    JobUser user_;
     fs::path submission_;
     Stage stage_;
     int edits_ = 0;

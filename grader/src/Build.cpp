@@ -21,6 +21,14 @@ bool isHeader(const std::string& name) {
     return kind == ".h" || kind == ".hpp" || kind == ".inl";
 }
 
+/// In the words of cc1plus and of the C++ library.
+bool ranOutOfMemory(const std::string& log) {
+    for (const char* words : {"out of memory allocating", "virtual memory exhausted"})
+        if (log.find(words) != std::string::npos)
+            return true;
+    return false;
+}
+
 /// What one command made of its input.
 struct Made {
     bool ok = false;
@@ -161,10 +169,14 @@ private:
         confinement.limits.memoryMib = kCompilerMemoryMib;
         ProcessResult result =
             grader::run(sandbox_.confine(confinement, command), limits_.buildSeconds, kLongestLog);
-        if (result.timedOut || result.signal != 0)
-            result.output +=
-                fmt::format("\n{}:1:1: error: the compiler did not finish within {} s\n",
-                            output.substr(0, output.size() - 2), limits_.buildSeconds);
+        const auto complain = [&](const std::string& about) {
+            result.output += fmt::format("\n{}:1:1: error: the compiler {}\n",
+                                         output.substr(0, output.size() - 2), about);
+        };
+        if (ranOutOfMemory(result.output))
+            complain(fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib));
+        else if (result.timedOut || result.signal != 0)
+            complain(fmt::format("did not finish within {} s", limits_.buildSeconds));
         if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
             cache_.store(key, made, result.output);
         return {result.succeeded(), result.output};

@@ -33,6 +33,7 @@ Task readTask(Fields fields) {
     task.points = fields.get<double>("points");
     task.needs = fields.get<std::vector<std::string>>("needs", {});
     task.hint = fields.get<std::string>("hint", "");
+    task.manual = fields.get<bool>("manual", false);
     fields.done();
     if (task.points <= 0)
         throw Error("{}: points must be above 0, found {}", fields.where(), task.points);
@@ -109,6 +110,9 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
         if (manifest.framePoints(task.id) > task.points)
             throw Error("{}: the frames of task \"{}\" have more points than the task", file,
                         task.id);
+        if (task.manual && manifest.framePoints(task.id) > 0)
+            throw Error("{}: task \"{}\" is manual: its frames are looked at, and have 0 points",
+                        file, task.id);
     }
     if (std::abs(sum - 100.0) > 1e-6)
         throw Error("{}: the points of all tasks must add up to 100, found {}", file, sum);
@@ -163,6 +167,13 @@ double Manifest::framePoints(const std::string& taskId) const {
     for (const Frame& frame : frames)
         sum += frame.pointsOf(taskId);
     return sum;
+}
+
+std::vector<Task> Manifest::automaticTasks() const {
+    std::vector<Task> automatic;
+    std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(automatic),
+                 [](const Task& each) { return !each.manual; });
+    return automatic;
 }
 
 std::vector<std::string> Frame::tasks() const {

@@ -14,6 +14,7 @@ struct Task {
     std::string id, title, hint;
     double points = 0;
     std::vector<std::string> needs;  ///< "task" or "NN-name/task"
+    bool manual = false;             ///< a person judges it: no test, no region
 
     /// The test suite of the task: rotate-up → RotateUp.
     std::string suite() const;
@@ -60,6 +61,7 @@ struct Manifest {
     std::vector<std::string> starterPasses;  ///< checks that the starter may pass
 
     const Task* task(const std::string& taskId) const;
+    std::vector<Task> automaticTasks() const;  ///< those that are not manual
     double framePoints(const std::string& taskId) const;
 
     /// Throws Error for anything that FORMAT.md does not allow.

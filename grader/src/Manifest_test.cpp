@@ -96,7 +96,7 @@ TEST_F(LoadingManifest, AnUnknownFieldIsNamedWithTheAllowedOnes) {
 TEST_F(LoadingManifest, AnUnknownFieldInsideIsFoundInItsPlace) {
     json["tasks"][1]["point"] = 3;
     EXPECT_THAT(complaint(), AllOf(HasSubstr("tasks[1]: unknown field \"point\""),
-                                   HasSubstr("hint, id, needs, points, title")));
+                                   HasSubstr("hint, id, manual, needs, points, title")));
     json = validManifest();
     json["frames"][0]["wide"] = 3;
     EXPECT_THAT(complaint(), HasSubstr("frames[0]: unknown field \"wide\""));
@@ -169,6 +169,14 @@ TEST_F(LoadingManifest, FramesBelongToATaskAndTakeNoMoreThanItHas) {
     EXPECT_THAT(complaint(), HasSubstr("frames of task \"rotate-up\" have more points"));
     json["frames"][0]["points"] = -6;
     EXPECT_THAT(complaint(), HasSubstr("frames[0]: points must not be below 0"));
+}
+
+TEST_F(LoadingManifest, AManualTasksFramesAreOnlyLookedAt) {
+    json["frames"][0]["task"] = "rotate-up";
+    json["frames"][0]["points"] = 6;
+    for (Json& task : json["tasks"])
+        task["manual"] = task["id"] == "rotate-up";
+    EXPECT_THAT(complaint(), HasSubstr("task \"rotate-up\" is manual: its frames are looked at"));
 }
 
 TEST_F(LoadingManifest, IdsAreDistinct) {

@@ -57,7 +57,7 @@ void requireSuites(const Manifest& manifest, const std::vector<TestOutcome>& tes
                 "test {} belongs to no task of {}: name its suite after one of them, such "
                 "as {}",
                 test.id(), manifest.id, manifest.tasks.front().suite());
-    for (const Task& task : manifest.tasks)
+    for (const Task& task : manifest.automaticTasks())
         if (task.points > manifest.framePoints(task.id) &&
             std::none_of(tests.begin(), tests.end(),
                          [&](const TestOutcome& test) { return test.suite == task.suite(); }))

@@ -40,7 +40,7 @@ struct Recognised {
 
 struct CheckResult {
     std::string id;    ///< "RotateUp.KeepsTheTarget", or the frame's id
-    std::string kind;  ///< "test" or "frame"
+    std::string kind;  ///< "test", "frame", "manual"
     std::string task;
     std::string title;
     Status status = Status::graderError;
@@ -90,7 +90,7 @@ struct AssignmentResult {
     bool graderFailed() const;
 };
 
-/// Sorts checks into the manifest's tasks and sums up.
+/// Sorts checks into the manifest's tasks and sums up. What is manual is pending.
 std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks);
 
 /// The result document of one assignment, as grader/RESULT.md describes it.

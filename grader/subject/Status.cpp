@@ -11,12 +11,19 @@ namespace judge {
 namespace {
 
 constexpr std::pair<Status, const char*> kWords[] = {
-    {Status::pass, "pass"},         {Status::partial, "partial"},
-    {Status::fail, "fail"},         {Status::notImplemented, "not_implemented"},
-    {Status::skipped, "skipped"},   {Status::buildError, "build_error"},
-    {Status::crash, "crash"},       {Status::timeout, "timeout"},
-    {Status::memory, "memory"},     {Status::output, "output"},
-    {Status::tampered, "tampered"}, {Status::graderError, "grader_error"},
+    {Status::pass, "pass"},
+    {Status::partial, "partial"},
+    {Status::fail, "fail"},
+    {Status::notImplemented, "not_implemented"},
+    {Status::skipped, "skipped"},
+    {Status::pending, "pending"},
+    {Status::buildError, "build_error"},
+    {Status::crash, "crash"},
+    {Status::timeout, "timeout"},
+    {Status::memory, "memory"},
+    {Status::output, "output"},
+    {Status::tampered, "tampered"},
+    {Status::graderError, "grader_error"},
 };
 
 std::string signalName(int signal) {

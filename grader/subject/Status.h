@@ -13,6 +13,7 @@ enum class Status {
     fail,
     notImplemented,
     skipped,
+    pending,  ///< a person judges it
     buildError,
     crash,
     timeout,

@@ -26,8 +26,8 @@ Verdict explained(Outcome outcome, int code = 0, const std::string& detail = "")
 TEST(StatusWords, ComeBackAsTheyWere) {
     for (const Status each :
          {Status::pass, Status::partial, Status::fail, Status::notImplemented, Status::skipped,
-          Status::buildError, Status::crash, Status::timeout, Status::memory, Status::output,
-          Status::tampered, Status::graderError})
+          Status::pending, Status::buildError, Status::crash, Status::timeout, Status::memory,
+          Status::output, Status::tampered, Status::graderError})
         EXPECT_EQ(statusFromString(toString(each)), each) << toString(each);
     EXPECT_STREQ(toString(Status::notImplemented), "not_implemented");
     EXPECT_STREQ(toString(Status::buildError), "build_error");

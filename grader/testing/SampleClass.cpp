@@ -40,7 +40,7 @@ Mark markOf(int k, const fs::path& out) {
     mark.status = k % 50 == 7 ? "missing" : k % 50 == 8 ? "refused" : "graded";
     mark.maxPoints = 100;
     const double up = k % 41;
-    mark.tasks = {{"look-at", 60, 60, 60, ""}, {"rotate-up", up, up, 40, ""}};
+    mark.tasks = {{"look-at", 60, 60, 60, false, ""}, {"rotate-up", up, up, 40, false, ""}};
     if (mark.status != "graded") {
         mark.sentence = mark.status == "refused" ? "the archive is refused: it is encrypted" : "";
         mark.tasks[0].points = mark.tasks[1].points = 0;

@@ -294,4 +294,15 @@ TEST(OneErrorOneCharge, AnEditOfAnIncludedSourceFileIsSeen) {
     EXPECT_TRUE(submission.grade("07-camera").notes("nothing is charged twice"));
 }
 
+TEST(Limits, ALoopThatNeverEndsCostsItsOwnTaskOnly) {
+    Submission submission;
+    submission.solve(
+        "06-rotation/rotation.cpp", "rotation",
+        "    volatile int turns = 1;\n    while (turns) {}\n    return glm::mat3(1.0f);");
+    const Graded graded = submission.grade("06-rotation");
+    EXPECT_EQ(graded.losses(), std::vector<std::string>{"rotation"});
+    EXPECT_EQ(graded.points(), 55.0);
+    EXPECT_EQ(graded.status("turned"), "timeout");
+}
+
 }  // namespace

@@ -98,7 +98,8 @@ protected:
         alpha.student = {"=alpha", "\"the\" <b>first</b>", "", "B"};
         alpha.submission = "a, <i>";
         alpha.status = "graded";
-        alpha.tasks = {{"cross-matrix", 40, 40, 40, ""}, {"rotation", 30, 20, 60, "copied"}};
+        alpha.tasks = {{"cross-matrix", 40, 40, 40, false, ""},
+                       {"rotation", 30, 20, 60, false, "copied"}};
         alpha.automatic = 70;
         alpha.points = 54;
         alpha.maxPoints = 100;
@@ -122,7 +123,8 @@ protected:
         marks_[2].status = "grader_error";
         marks_[2].sentence = "no memory";
         for (Mark* each : {&marks_[1], &marks_[2]})
-            each->tasks = {{"cross-matrix", 0, 0, 40, ""}, {"rotation", 0, 0, 60, ""}};
+            each->tasks = {{"cross-matrix", 0, 0, 40, false, ""},
+                           {"rotation", 0, 0, 60, false, ""}};
         manifest_.frames.resize(1);
         manifest_.frames[0].id = "turned";
         for (const char* whose : {"students", "instructor"})

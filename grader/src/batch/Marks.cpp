@@ -1,5 +1,6 @@
 #include "batch/Marks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace grader {
@@ -30,7 +31,8 @@ Mark markFrom(const Manifest& manifest, const Participant& participant, const St
                 points[task.at("id")] = task.at("points");
     }
     for (const Task& task : manifest.tasks) {
-        mark.tasks.push_back({task.id, points[task.id], points[task.id], task.points, ""});
+        mark.tasks.push_back({task.id, points[task.id], points[task.id], task.points,
+                              task.manual && mark.status == "graded", ""});
         mark.automatic += points[task.id];
         mark.maxPoints += task.points;
     }
@@ -46,6 +48,7 @@ void decide(Mark& mark, Overrides& overrides) {
         mark.status = mark.sentence.empty() && mark.status != "missing" ? mark.status : "decided";
         mark.sentence.clear();
         task.points = decision->points;
+        task.pending = false;
         task.reason = decision->reason;
         const double before = overrides.automaticWhenDecided(*decision, task.automatic);
         if (std::abs(before - task.automatic) > 1e-6)
@@ -67,6 +70,11 @@ void charge(Mark& mark, const Entrant* entrant, const Policy& policy) {
 
 }  // namespace
 
+bool Mark::pending() const {
+    return std::any_of(tasks.begin(), tasks.end(),
+                       [](const TaskMark& task) { return task.pending; });
+}
+
 std::vector<std::string> Mark::remarks() const {
     std::vector<std::string> all;
     for (const TaskMark& task : tasks)
@@ -84,6 +92,8 @@ Json jsonOf(const Mark& mark) {
     Json tasks = Json::array();
     for (const TaskMark& task : mark.tasks) {
         tasks.push_back({{"id", task.id}, {"points", task.points}, {"max_points", task.maxPoints}});
+        if (task.pending)
+            tasks.back()["pending"] = true;
         if (!task.reason.empty()) {
             tasks.back()["automatic"] = task.automatic;
             tasks.back()["reason"] = task.reason;
@@ -119,7 +129,8 @@ Mark markFrom(const Json& json) {
     for (const Json& task : json.at("tasks")) {
         const double points = task.at("points");
         mark.tasks.push_back({task.at("id"), task.value("automatic", points), points,
-                              task.at("max_points"), task.value("reason", "")});
+                              task.at("max_points"), task.value("pending", false),
+                              task.value("reason", "")});
     }
     if (json.contains("late"))
         mark.lateness = {true, json.at("late").at("days"), json.at("late").at("percent"),

@@ -9,7 +9,8 @@ namespace grader {
 struct TaskMark {
     std::string id;
     double automatic = 0, points = 0, maxPoints = 0;
-    std::string reason;  ///< of a person who decided otherwise; empty when nobody did
+    bool pending = false;  ///< manual, and nobody has decided yet
+    std::string reason;    ///< of a person who decided otherwise; empty when nobody did
 };
 
 /// What one student gets, and why.
@@ -28,6 +29,7 @@ struct Mark {
     Json result;                        ///< the result document; null where there is none
 
     bool graderFailed() const { return status == "grader_error"; }
+    bool pending() const;  ///< some task waits for a person
     /// The sentences that a student gets beside the report: late, decided by a person.
     std::vector<std::string> remarks() const;
 };

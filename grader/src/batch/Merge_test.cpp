@@ -26,7 +26,7 @@ protected:
         one.submission = points < 0 ? "" : id + "-work";
         one.points = std::max(points, 0.0);
         one.maxPoints = 100;
-        one.tasks = {{"rotation", one.points, one.points, 100, ""}};
+        one.tasks = {{"rotation", one.points, one.points, 100, false, ""}};
         return one;
     }
     /// A part as a batch writes it.
@@ -99,7 +99,7 @@ TEST(Marks, ComeBackFromTheirJson) {
     mark.student = {"1", "Ann", "a@x", "S"};
     mark.submission = "ann";
     mark.status = "graded";
-    mark.tasks = {{"rotation", 10, 20, 45, "a person"}};
+    mark.tasks = {{"rotation", 10, 20, 45, false, "a person"}};
     mark.automatic = 10;
     mark.points = 16;
     mark.maxPoints = 45;

@@ -33,7 +33,7 @@ std::string Overview::csv() const {
                             csvCell(each.submission), each.status, each.points, each.maxPoints,
                             each.lateness.days);
         for (const TaskMark& task : each.tasks)
-            text += fmt::format(",{:.2f}", task.points);
+            text += task.pending ? ",pending" : fmt::format(",{:.2f}", task.points);
         text += fmt::format(",{},{}\r\n", csvCell(each.sentence),
                             csvCell(fmt::format("{}", fmt::join(each.remarks(), " | "))));
     }

@@ -142,13 +142,13 @@ private:
             mark.lateness.late ? fmt::format("{}", mark.lateness.days) : "", mark.points,
             mark.points);
         for (const TaskMark& task : mark.tasks)
-            row +=
-                fmt::format("<td class=\"number{}\"{} data-key=\"{}\">{:.1f}</td>",
-                            task.reason.empty() ? "" : " decided",
-                            task.reason.empty() ? ""
-                                                : fmt::format(" title=\"{:g} before: {}\"",
-                                                              task.automatic, escaped(task.reason)),
-                            task.points, task.points);
+            row += fmt::format(
+                "<td class=\"number{}\"{} data-key=\"{}\">{}</td>",
+                task.reason.empty() ? "" : " decided",
+                task.reason.empty() ? ""
+                                    : fmt::format(" title=\"{:g} before: {}\"", task.automatic,
+                                                  escaped(task.reason)),
+                task.points, task.pending ? "pending" : fmt::format("{:.1f}", task.points));
         return row + "</tr>\n";
     }
 

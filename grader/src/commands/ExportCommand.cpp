@@ -18,6 +18,14 @@ struct Options {
     std::string folder, to, into, column, output, classroom;
 };
 
+/// The first task that waits for a person; empty when none does.
+std::string pendingIn(const Json& student) {
+    for (const Json& task : student.at("tasks"))
+        if (task.value("pending", false))
+            return task.at("id");
+    return "";
+}
+
 /// What `grade batch` wrote, read back.
 struct Batch {
     std::string assignment;
@@ -33,7 +41,13 @@ struct Batch {
         assignment = document.at("assignment");
         for (const Json& each : document.at("students")) {
             const std::string status = each.at("status");
-            if (each.at("sentence") == "" && status != "missing")
+            const std::string pending = pendingIn(each);
+            if (!pending.empty())
+                unmarked.push_back(
+                    fmt::format("{} has no mark yet: {} is pending, give its points in a table of "
+                                "--overrides",
+                                each.at("student").get<std::string>(), pending));
+            else if (each.at("sentence") == "" && status != "missing")
                 students.push_back(each);
             else
                 unmarked.push_back(fmt::format("{} has no mark ({})",
@@ -87,7 +101,8 @@ void say(const std::vector<std::string>& sentences) {
 }
 
 void written(const fs::path& file, std::size_t marks) {
-    std::cout << fmt::format("{} marks written to {}\n", marks, fs::absolute(file).string());
+    std::cout << fmt::format("{} {} written to {}\n", marks, marks == 1 ? "mark" : "marks",
+                             fs::absolute(file).string());
 }
 
 /// A table of the platform's, filled in.

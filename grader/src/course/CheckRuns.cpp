@@ -107,7 +107,7 @@ void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& fin
 
 void checkBlankRegions(const Grader& grader, const Manifest& manifest, Findings& findings) {
     const Stage starter = grader.stageOf(manifest, "assignments");
-    for (const Task& task : manifest.tasks) {
+    for (const Task& task : manifest.automaticTasks()) {
         Stage stage = grader.stageOf(manifest, "solutions");
         for (StagedFile& file : stage.files) {
             const auto blank = regionsOf(starter.find(file.name)->content);
@@ -158,7 +158,7 @@ MistakeTable checkMistakes(const Grader& grader, const Manifest& manifest, Findi
                     fmt::format("mistake {} earns something: {}", mistake.id, statusOf(check)),
                     "ask for the value in that check, too");
     }
-    for (const Task& task : manifest.tasks) {
+    for (const Task& task : manifest.automaticTasks()) {
         if (perTask[task.id] < kFewestMistakes)
             findings.add(fmt::format("task {} has {} mistakes, expected at least {}", task.id,
                                      perTask[task.id], kFewestMistakes),

@@ -24,6 +24,7 @@ bool isLost(const CheckResult& check) {
         case Status::pass:
         case Status::notImplemented:
         case Status::skipped:
+        case Status::pending:
         case Status::buildError:
         case Status::graderError:
             return false;

@@ -125,6 +125,8 @@ std::string taskOf(const TaskResult& task, const AssignmentResult& result, const
         barOf(task.points, task.maxPoints));
     if (task.status == Status::notImplemented)
         html += "<p class=\"message\">" + escaped(task.checks.front().message) + "</p>\n";
+    if (task.status == Status::pending)
+        html += "<p class=\"message\">" + escaped(task.checks.back().message) + "</p>\n";
     return html + recognisedOf(task) + lostChecksOf(task, result, folder) +
            fullChecksOf(task, result, folder) + "</article>\n";
 }

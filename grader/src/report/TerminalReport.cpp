@@ -26,6 +26,7 @@ const char* colourOf(Status status) {
             return "\033[33m";
         case Status::notImplemented:
         case Status::skipped:
+        case Status::pending:
             return "\033[36m";
         case Status::graderError:
             return "\033[35m";
@@ -151,9 +152,10 @@ void writeTask(Writer& out, const TaskResult& task, bool pictures, std::set<std:
             scoreText(task.points, task.maxPoints), colourOf(task.status));
     if (task.recognised)
         writeRecognised(out, *task.recognised);
-    if (task.status == Status::notImplemented) {
+    if (task.status == Status::notImplemented || task.status == Status::pending) {
         // One sentence serves for all checks when they say the same.
-        out.paragraph("      ", task.checks.front().message);
+        out.paragraph("      ", task.status == Status::pending ? task.checks.back().message
+                                                               : task.checks.front().message);
         return;
     }
     std::string hint;

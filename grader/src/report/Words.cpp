@@ -17,7 +17,8 @@ const TaskResult& nextTask(const AssignmentResult& result) {
         return std::find_if(result.tasks.begin(), result.tasks.end(), wanted);
     };
     auto next = find([](const TaskResult& each) {
-        return each.status != Status::pass && each.status != Status::skipped;
+        return each.status != Status::pass && each.status != Status::skipped &&
+               each.status != Status::pending;
     });
     if (next == result.tasks.end())
         next = find([](const TaskResult& each) { return each.status != Status::pass; });
@@ -36,6 +37,8 @@ const char* symbolOf(Status status) {
             return "○";
         case Status::skipped:
             return "–";
+        case Status::pending:
+            return "…";
         case Status::graderError:
             return "!";
         default:
@@ -68,9 +71,15 @@ std::string whatNext(const AssignmentResult& result) {
     if (result.graderFailed())
         return "The grader itself failed below; that is not your mistake. Please report it with "
                "the sentence shown.";
+    const auto pending =
+        std::count_if(result.tasks.begin(), result.tasks.end(),
+                      [](const TaskResult& each) { return each.status == Status::pending; });
     if (result.full())
-        return fmt::format("Everything is done: all {} tasks have full marks.",
-                           result.tasks.size());
+        return pending == 0
+                   ? fmt::format("Everything is done: all {} tasks have full marks.",
+                                 result.tasks.size())
+                   : fmt::format("What a program can judge has full marks; a person judges {}.",
+                                 pending == 1 ? "one task" : fmt::format("{} tasks", pending));
     const TaskResult& next = nextTask(result);
     const std::string name = fmt::format("{} ({})", next.id, next.title);
     if (result.notStarted())
