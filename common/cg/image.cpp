@@ -15,6 +15,7 @@ namespace cg {
 namespace {
 
 constexpr int maxSide = 16384;
+constexpr std::size_t maxPixels = std::size_t(1) << 26;  // a few bytes can claim more than memory
 
 std::size_t rgbaBytes(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
@@ -24,6 +25,11 @@ void requireSize(const std::string& path, int width, int height) {
     if (width < 1 || height < 1 || width > maxSide || height > maxSide) {
         throw Error(path + ": a picture has 1 to " + std::to_string(maxSide) +
                     " pixels a side, this one has " + std::to_string(width) + " x " +
+                    std::to_string(height));
+    }
+    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > maxPixels) {
+        throw Error(path + ": a picture has at most " + std::to_string(maxPixels) +
+                    " pixels, this one has " + std::to_string(width) + " x " +
                     std::to_string(height));
     }
 }

@@ -14,7 +14,7 @@ namespace cg {
 /// Reads any picture that OpenImageIO knows: grey is spread over the three colours, missing alpha
 /// is 255, values are those in the file (8 bits, sRGB, alpha not multiplied in). Files of floats
 /// (EXR, HDR) hold linear values: they are brought to sRGB, and what is no number is `broken`.
-/// At most 16384 pixels a side. Throws cg::Error that names the file.
+/// At most 16384 pixels a side and 2^26 in all. Throws cg::Error that names the file.
 Pixels readImage(const std::string& path);
 
 /// Writes a picture; the name's ending decides the format (use .png). Alpha is dropped: the file

@@ -21,6 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const cg::Pixels pixels = cg::readImage(path);
         fuzz::require(pixels.width > 0 && pixels.height > 0, "a picture has a size");
         fuzz::require(pixels.width <= 16384 && pixels.height <= 16384, "and not too large a one");
+        fuzz::require(pixels.rgba.size() <= std::size_t(4) << 26, "nor too many pixels");
         fuzz::require(pixels.rgba.size() ==
                           std::size_t(4) * std::size_t(pixels.width) * std::size_t(pixels.height),
                       "and all of its pixels");
