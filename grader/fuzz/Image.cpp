@@ -1,8 +1,11 @@
 // A picture that somebody hands to `grader compare`. The first byte chooses the format. OpenImageIO
-// itself is not instrumented, so mutation goes blind there; what it hands over is checked.
+// itself is not instrumented, so mutation goes blind there; what it hands over is checked. BMP and
+// TGA are left out: OpenImageIO 2.4 reserves what their headers claim, gigabytes, before anybody
+// can set a limit, and the fuzzer would find nothing else.
 
 #include <unistd.h>
 
+#include <OpenImageIO/imageio.h>
 #include <cg/Error.h>
 #include <cg/image.h>
 
@@ -11,10 +14,11 @@
 #include "Fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const char* const kEndings[] = {".png", ".exr", ".hdr", ".bmp", ".tga", ".ppm"};
+    static const char* const kEndings[] = {".png", ".exr", ".hdr", ".ppm"};
+    OIIO::attribute("try_all_readers", 0);  // not those by way of another ending
     if (size == 0)
         return 0;
-    const std::string path = "/dev/shm/fuzz-" + std::to_string(getpid()) + kEndings[data[0] % 6];
+    const std::string path = "/dev/shm/fuzz-" + std::to_string(getpid()) + kEndings[data[0] % 4];
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(data + 1), std::streamsize(size - 1));
     try {
