@@ -92,6 +92,19 @@ TEST_F(BatchTest, EverySubmissionHasAResultAndIsGradedOnce) {
     EXPECT_THAT(batch({"--fresh"}).text, Not(HasSubstr("as before")));
 }
 
+TEST_F(BatchTest, GradedThreeTimesHonestWorkComesOutAlike) {
+    lab::writeFile(home() / "alone.cpp", Submission().read(kRotation));
+    const Graded stable = batch({"--stable"});
+    EXPECT_EQ(stable.exitCode, 0) << stable.text;
+    EXPECT_EQ(student("alone").at("points"), 100.0);
+    for (const Json& each : students())
+        EXPECT_TRUE(each.at("warnings").empty()) << each.dump(2);
+    EXPECT_THAT(lab::readFile(out() / "students/half/report.txt"), HasSubstr("75 / 100"));
+    EXPECT_THAT(batch({"--stable"}).text, HasSubstr("half 75 of 100 (as before)"));
+    EXPECT_THAT(batch().text, Not(HasSubstr("half 75 of 100 (as before)")))
+        << "graded once is another thing than graded three times";
+}
+
 TEST_F(BatchTest, GoesOnWhereItWasKilled) {
     // Killed as soon as the first of four is remembered.
     lab::run({"bash", "-c",

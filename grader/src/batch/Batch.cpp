@@ -7,6 +7,7 @@
 #include "Error.h"
 #include "batch/Replay.h"
 #include "report/HtmlReport.h"
+#include "report/TerminalReport.h"
 
 namespace grader {
 
@@ -249,6 +250,7 @@ void Batch::writeReports(std::vector<AssignmentResult>& results, const std::stri
         takeReferencesOut(results);
     }
     const fs::path report = ledger_.folderOf(entrant) / "report";
+    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(results.front(), {}));
     writeReportPictures(results, report);
     writeFile(report / "index.html", htmlReport(results, report));
 }

@@ -51,6 +51,20 @@ TEST(Intake, TakesFoldersAndArchivesAndNamesTheRest) {
                                             "list.txt: neither a folder nor an archive"));
 }
 
+TEST(Intake, TakesSingleFilesWhereOneIsWanted) {
+    const Tree tree;
+    tree.write("ann.cpp", "x");
+    tree.write("notes.txt", "");
+    const Intake intake = takenIn(tree);
+    ASSERT_EQ(intake.entrants.size(), 1u);
+    EXPECT_EQ(intake.entrants[0].name, "ann");
+    EXPECT_EQ(intake.entrants[0].files.at(0).name, "rotation.cpp");
+    EXPECT_THAT(intake.ignored, ElementsAre("notes.txt: neither a folder nor an archive"));
+    Manifest two = someManifest();
+    two.submit.push_back("more.cpp");
+    EXPECT_THROW(takeIn(tree.path(), two, {}), Error) << "which of the two it is nobody knows";
+}
+
 TEST(Intake, RefusesWhatItWouldHaveToGuess) {
     const Tree tree;
     EXPECT_THROW(takenIn(tree), Error) << "nothing in it";

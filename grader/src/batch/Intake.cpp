@@ -37,6 +37,12 @@ std::optional<fs::path> archiveInside(const fs::path& folder, const Manifest& ma
     return archive;
 }
 
+/// Whether a file can be nothing but the one that the assignment wants.
+bool isTheOnlyFile(const fs::path& file, const Manifest& manifest) {
+    return manifest.submit.size() == 1 &&
+           file.extension() == fs::path(manifest.submit.front()).extension();
+}
+
 Intake takeInPlain(const fs::path& submissions, const Manifest& manifest,
                    const std::vector<std::string>& known) {
     Intake intake;
@@ -48,6 +54,11 @@ Intake takeInPlain(const fs::path& submissions, const Manifest& manifest,
             intake.entrants.push_back(entrantOf(name, entry.path(), manifest, known));
         else if (const auto stem = isPlain(entry) ? stemOfArchive(name) : std::nullopt)
             intake.entrants.push_back({*stem, entry.path(), EntrantKind::archive});
+        else if (isPlain(entry) && isTheOnlyFile(entry.path(), manifest))
+            intake.entrants.push_back({entry.path().stem().string(),
+                                       submissions,
+                                       EntrantKind::looseFiles,
+                                       {{manifest.submit.front(), entry.path()}}});
         else
             intake.ignored.push_back(name + ": neither a folder nor an archive");
     }

@@ -41,7 +41,8 @@ struct Intake {
 
 /// What somebody put into a folder for grading.
 ///
-/// Either folders, git clones and archives (zip, tar, tar.gz, tgz, tar.xz, tar.bz2), or the export
+/// Either folders, git clones, archives (zip, tar, tar.gz, tgz, tar.xz, tar.bz2) and, where the
+/// assignment wants one file only, files with its ending named after the students; or the export
 /// of Canvas, Moodle or Gradescope as it is (Platforms.h). A folder that holds one archive and no
 /// file of the assignment stands for that archive. Links are never followed. Throws Error for a
 /// folder that is not there or holds no submission, and when two submissions have one name.
