@@ -1,17 +1,26 @@
 #include "Files.h"
 
+#include <fcntl.h>
 #include <sha2.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
 #include "Error.h"
 
 namespace grader {
+
+namespace {
+
+constexpr const char* kWorkPrefix = "course-";
+
+}  // namespace
 
 std::string readFile(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -69,17 +78,37 @@ std::size_t firstInvalidUtf8(const std::string& text, std::size_t from) {
 }
 
 WorkFolder::WorkFolder() {
-    std::string name = (fs::temp_directory_path() / "course-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / (kWorkPrefix + std::string("XXXXXX"))).string();
     if (!mkdtemp(name.data()))
         throw Error("no folder can be made for the work in {}: {}",
                     fs::temp_directory_path().string(), std::strerror(errno));
     path_ = name;
     chmod(name.c_str(), 0711);  // sandboxes pass through, nobody can list it
+    lock_ = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    flock(lock_, LOCK_EX | LOCK_NB);
 }
 
 WorkFolder::~WorkFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
+    close(lock_);
+}
+
+void removeAbandonedWork(int minutes) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), none)) {
+        struct stat status {};
+        const std::string path = entry.path().string();
+        if (!entry.path().filename().string().starts_with(kWorkPrefix) ||
+            lstat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+            status.st_uid != geteuid() || status.st_ctime > std::time(nullptr) - 60 * minutes)
+            continue;
+        const int lock = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        if (lock >= 0 && flock(lock, LOCK_EX | LOCK_NB) == 0)
+            fs::remove_all(entry.path(), none);
+        if (lock >= 0)
+            close(lock);
+    }
 }
 
 }  // namespace grader

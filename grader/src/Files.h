@@ -20,7 +20,8 @@ std::string sha256(const std::string& data);
 /// byte is no text.
 std::size_t firstInvalidUtf8(const std::string& text, std::size_t from = 0);
 
-/// A new folder under the system's temporary folder, removed with all in it at the end.
+/// A new folder under the system's temporary folder, removed with all in it at the end. It is locked
+/// as long as its process lives, so that what a killed one left behind can be told.
 class WorkFolder {
 public:
     WorkFolder();
@@ -31,6 +32,11 @@ public:
 
 private:
     fs::path path_;
+    int lock_ = -1;
 };
+
+/// Removes work folders whose processes were killed: those that nobody has locked and that are older
+/// than `minutes`. What cannot be removed stays.
+void removeAbandonedWork(int minutes = 10);
 
 }  // namespace grader

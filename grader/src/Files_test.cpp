@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "Error.h"
@@ -78,6 +79,21 @@ TEST(Files, AWorkFolderIsRemovedWithAllInIt) {
         fs::create_symlink("/nonexistent", path / "link");
     }
     EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Files, WorkOfProcessesThatWereKilledIsRemoved) {
+    const Tree temporary;
+    setenv("TMPDIR", temporary.path().c_str(), 1);
+    std::string abandoned = (fs::temp_directory_path() / "course-XXXXXX").string();
+    ASSERT_TRUE(mkdtemp(abandoned.data()));
+    const WorkFolder inUse;
+    writeFile(fs::path(abandoned) / "a/b", "text");
+    removeAbandonedWork(1);
+    EXPECT_TRUE(fs::exists(abandoned)) << "it may belong to a process that is just beginning";
+    removeAbandonedWork(-1);
+    EXPECT_FALSE(fs::exists(abandoned));
+    EXPECT_TRUE(fs::exists(inUse.path()));
+    unsetenv("TMPDIR");
 }
 
 TEST(Files, OthersPassThroughAWorkFolderButCannotListIt) {

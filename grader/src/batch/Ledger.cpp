@@ -1,5 +1,8 @@
 #include "batch/Ledger.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "Collect.h"
 
 namespace grader {
@@ -26,8 +29,13 @@ void Ledger::begin(const std::string& entrant) const {
 void Ledger::keep(const std::string& entrant, const std::string& key,
                   const std::string& result) const {
     writeFile(folderOf(entrant) / "result.json", result);
-    if (!key.empty())
-        writeFile(folderOf(entrant) / "key", key);
+    if (key.empty())
+        return;
+    // Nothing may be lost by a power failure that the key vouches for.
+    const int folder = open(folderOf(entrant).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    syncfs(folder);
+    close(folder);
+    writeFile(folderOf(entrant) / "key", key);
 }
 
 void Ledger::keepSubmission(const std::string& entrant,

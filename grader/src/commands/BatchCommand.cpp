@@ -173,6 +173,7 @@ int runBatch(const Options& options) {
     const auto sandbox =
         chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
     const fs::path out = options.out;
+    removeAbandonedWork();
     Rules rules(options, manifest);
     const Job unpacking;
     Intake intake = takeIn(folderOf(tools, *sandbox, unpacking, options.submissions), manifest,
