@@ -41,6 +41,7 @@ void Ways::bare(const Stage& stage) {
     const fs::path folder = work_.path() / "bare";
     fs::remove_all(folder);
     std::vector<std::future<bool>> compiling;
+    std::vector<std::string> inherited;
     std::vector<std::string> link = {tools_.compiler};
     link.insert(link.end(), tools_.linkFlags.begin(), tools_.linkFlags.end());
     for (const StagedFile& file : stage.files)
@@ -49,7 +50,7 @@ void Ways::bare(const Stage& stage) {
         if (!file.name.ends_with(".cpp"))
             continue;
         const std::string object = (folder / file.name).string() + ".o";
-        link.push_back(object);
+        (file.role == Role::inherited ? inherited : link).push_back(object);
         std::vector<std::string> command = {tools_.compiler};
         command.insert(command.end(), tools_.compileFlags.begin(), tools_.compileFlags.end());
         for (const std::string& each :
@@ -70,6 +71,13 @@ void Ways::bare(const Stage& stage) {
     build.stage = folder;
     build.user = user_.id();
     build.object = folder / "subject.so";
+    // A file of an earlier assignment gives way to what the submission defines itself.
+    if (!inherited.empty()) {
+        std::vector<std::string> archive = {"ar", "rcs", (folder / "inherited.a").string()};
+        archive.insert(archive.end(), inherited.begin(), inherited.end());
+        mustRun(archive);
+        link.push_back((folder / "inherited.a").string());
+    }
     link.insert(link.end(), {(tools_.kit / "lib/libcg.a").string(), "-o", build.object.string()});
     mustRun(link);
     shareWithSandbox(folder, user_.id(), false);

@@ -243,15 +243,16 @@ Unpacked Batch::laidOut(const Entrant& entrant, const Job& job) const {
 }
 
 void Batch::writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const {
-    if (seed_ != kPublishedSeed) {
-        const fs::path full = ledger_.instructorFolderOf(entrant) / "report";
+    const fs::path report = ledger_.folderOf(entrant) / "report",
+                   full = ledger_.instructorFolderOf(entrant) / "report";
+    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(results.front(), {}));
+    if (seed_ == kPublishedSeed) {
+        writeReportPictures(results, report);
+    } else {
         writeReportPictures(results, full);
         writeFile(full / "index.html", htmlReport(results, full));
-        takeReferencesOut(results);
+        copyOwnPictures(results, full, report);
     }
-    const fs::path report = ledger_.folderOf(entrant) / "report";
-    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(results.front(), {}));
-    writeReportPictures(results, report);
     writeFile(report / "index.html", htmlReport(results, report));
 }
 

@@ -220,42 +220,47 @@ void writeMasks(const CheckResult& check, const std::string& assignment, const f
             writePicture(folder / maskPath(assignment, check, feature), feature.mask);
 }
 
-}  // namespace
-
-void takeReferencesOut(std::vector<AssignmentResult>& results) {
-    for (AssignmentResult& result : results)
-        for (TaskResult& task : result.tasks)
-            for (CheckResult& check : task.checks) {
-                check.imagePaths.clear();
-                if (check.pictures)
-                    check.pictures->reference = {};
-                for (FeatureResult& feature : check.features)
-                    feature.mask = {};
-            }
+/// A frame that is the reference is written once and copied.
+void writePicturesOf(CheckResult& check, const std::string& assignment, const fs::path& folder) {
+    FramePictures& pictures = *check.pictures;
+    for (const char* name : {"submission", "reference", "difference"})
+        check.imagePaths[name] = fmt::format("{}/{}.{}.png", assignment, check.id, name);
+    const auto file = [&](const char* name) { return folder / check.imagePaths.at(name); };
+    writePicture(file("submission"), pictures.submission);
+    if (pictures.submission.rgba == pictures.reference.rgba)
+        fs::copy_file(file("submission"), file("reference"),
+                      fs::copy_options::overwrite_existing);
+    else
+        writePicture(file("reference"), pictures.reference);
+    pictures.difference = differenceOf(pictures.submission, pictures.reference);
+    writePicture(file("difference"), pictures.difference);
 }
+
+}  // namespace
 
 void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder) {
     for (AssignmentResult& result : results)
         for (TaskResult& task : result.tasks)
+            for (CheckResult& check : task.checks)
+                if (check.pictures) {
+                    writePicturesOf(check, result.assignment, folder);
+                    writeMasks(check, result.assignment, folder);
+                }
+}
+
+void copyOwnPictures(std::vector<AssignmentResult>& results, const fs::path& from,
+                     const fs::path& to) {
+    for (AssignmentResult& result : results)
+        for (TaskResult& task : result.tasks)
             for (CheckResult& check : task.checks) {
+                for (FeatureResult& feature : check.features)
+                    feature.mask = {};
                 if (!check.pictures)
                     continue;
-                FramePictures& pictures = *check.pictures;
-                pictures.difference = pictures.reference.empty()
-                                          ? Picture{}
-                                          : differenceOf(pictures.submission, pictures.reference);
-                for (const auto& [name, picture] :
-                     {std::pair{"submission", &pictures.submission},
-                      std::pair{"reference", &pictures.reference},
-                      std::pair{"difference", &pictures.difference}}) {
-                    if (picture->empty())
-                        continue;
-                    const std::string path =
-                        fmt::format("{}/{}.{}.png", result.assignment, check.id, name);
-                    writePicture(folder / path, *picture);
-                    check.imagePaths[name] = path;
-                }
-                writeMasks(check, result.assignment, folder);
+                const std::string path = check.imagePaths.at("submission");
+                check.imagePaths = {{"submission", path}};
+                fs::create_directories((to / path).parent_path());
+                fs::copy_file(from / path, to / path, fs::copy_options::overwrite_existing);
             }
 }
 

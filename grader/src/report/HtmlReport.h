@@ -7,13 +7,14 @@
 
 namespace grader {
 
-/// Of every frame only the submission's own picture is left: for reports that must not give away
-/// what seeded frames should look like.
-void takeReferencesOut(std::vector<AssignmentResult>& results);
-
 /// Writes the pictures of all frames and the masks of their features below `folder`, and notes the
 /// paths of the pictures, relative to it, in the checks. Loads the image library.
 void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder);
+
+/// Of every frame takes only the submission's own picture, which writeReportPictures has put into
+/// `from`, over to `to`: for reports that must not give away what seeded frames should look like.
+void copyOwnPictures(std::vector<AssignmentResult>& results, const fs::path& from,
+                     const fs::path& to);
 
 /// The report as one page that needs nothing else: pictures, style and script are embedded, and its
 /// content security policy forbids everything from elsewhere. Without scripts it still shows all
