@@ -77,6 +77,16 @@ std::size_t firstInvalidUtf8(const std::string& text, std::size_t from) {
     return std::string::npos;
 }
 
+FileLock::FileLock(const fs::path& file)
+    : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+    if (file_ < 0 || flock(file_, LOCK_EX) != 0)
+        throw Error("{} cannot be locked: {}", file.string(), std::strerror(errno));
+}
+
+FileLock::~FileLock() {
+    close(file_);
+}
+
 WorkFolder::WorkFolder() {
     std::string name = (fs::temp_directory_path() / (kWorkPrefix + std::string("XXXXXX"))).string();
     if (!mkdtemp(name.data()))

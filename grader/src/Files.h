@@ -20,6 +20,19 @@ std::string sha256(const std::string& data);
 /// byte is no text.
 std::size_t firstInvalidUtf8(const std::string& text, std::size_t from = 0);
 
+/// Holds a file's lock, which it makes if need be, as long as it lives; waits for it first. Throws
+/// Error when the file cannot be opened.
+class FileLock {
+public:
+    explicit FileLock(const fs::path& file);
+    ~FileLock();
+    FileLock(const FileLock&) = delete;
+    FileLock& operator=(const FileLock&) = delete;
+
+private:
+    int file_;
+};
+
 /// A new folder under the system's temporary folder, removed with all in it at the end. It is locked
 /// as long as its process lives, so that what a killed one left behind can be told.
 class WorkFolder {

@@ -179,6 +179,21 @@ const FrameRules& Grader::rules(const Manifest& manifest, std::uint64_t seed) co
     return known->second;
 }
 
+const std::set<std::string>& Grader::publicFrames(const Manifest& manifest,
+                                                  std::uint64_t seed) const {
+    const FrameRules& drawn = rules(manifest, seed);
+    const std::scoped_lock lock(truthMutex_);
+    const auto [known, isNew] = publicFrames_.try_emplace({manifest.id, seed});
+    if (isNew) {
+        const Pictures published = loadReferences(tools_, manifest);
+        for (const Frame& frame : manifest.frames)
+            if (drawn.at(frame.id).truth().reference.rgba ==
+                published.at(referenceName(frame)).rgba)
+                known->second.insert(frame.id);
+    }
+    return known->second;
+}
+
 const Signatures& Grader::signatures(const Manifest& manifest) const {
     const std::scoped_lock lock(truthMutex_);
     auto known = signatures_.find(manifest.id);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mutex>
+#include <set>
 
 #include "Observe.h"
 #include "References.h"
@@ -49,6 +50,8 @@ public:
     /// What the frames are scored by: with the published seed from reference_images/, with another
     /// from what solution, starter and mistakes draw now.
     const FrameRules& rules(const Manifest& manifest, std::uint64_t seed) const;
+    /// Ids of the frames whose references are the published ones with this seed, too: no secret.
+    const std::set<std::string>& publicFrames(const Manifest& manifest, std::uint64_t seed) const;
 
     /// How known mistakes show themselves, as stored; throws Error when they are not.
     const Signatures& signatures(const Manifest& manifest) const;
@@ -68,6 +71,7 @@ private:
     Observer observer_;
     mutable std::mutex truthMutex_;
     mutable std::map<std::pair<std::string, std::uint64_t>, FrameRules> rules_;
+    mutable std::map<std::pair<std::string, std::uint64_t>, std::set<std::string>> publicFrames_;
     mutable std::map<std::string, Signatures> signatures_;  // by assignment
 };
 

@@ -84,6 +84,10 @@ fs::path reachableKit(const fs::path& kit) {
         return copy;
     fs::create_directories(home);
     chmod(home.c_str(), 0755);
+    // One at a time: who comes second finds the copy made, and nobody removes what is being made.
+    const FileLock lock(home / "lock");
+    if (fs::exists(copy))
+        return copy;
     for (const auto& entry : fs::directory_iterator(home))
         if (entry.path().filename().string().starts_with(checkout))
             fs::remove_all(entry.path());

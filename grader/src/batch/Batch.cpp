@@ -251,7 +251,7 @@ void Batch::writeReports(std::vector<AssignmentResult>& results, const std::stri
     } else {
         writeReportPictures(results, full);
         writeFile(full / "index.html", htmlReport(results, full));
-        copyOwnPictures(results, full, report);
+        copyPictures(results, grader_.publicFrames(manifest_, seed_), full, report);
     }
     writeFile(report / "index.html", htmlReport(results, report));
 }

@@ -29,7 +29,8 @@ struct Standing {
 /// waits for the sandboxed processes that grade it; it holds one submission's pictures at a time.
 /// What is known under the same key (Ledger) is not graded again. A fault of the grader's is tried
 /// once more, then said, and never remembered. A seed that is not published stays so: the report
-/// for a student has no reference in it, and a second one beside the students' folders has.
+/// for a student has no reference that depends on it, and a second one beside the students' folders
+/// has all.
 class Batch {
 public:
     /// `key`: of all that decides results beside the submission itself. `stable`: each is graded

@@ -228,8 +228,7 @@ void writePicturesOf(CheckResult& check, const std::string& assignment, const fs
     const auto file = [&](const char* name) { return folder / check.imagePaths.at(name); };
     writePicture(file("submission"), pictures.submission);
     if (pictures.submission.rgba == pictures.reference.rgba)
-        fs::copy_file(file("submission"), file("reference"),
-                      fs::copy_options::overwrite_existing);
+        fs::copy_file(file("submission"), file("reference"), fs::copy_options::overwrite_existing);
     else
         writePicture(file("reference"), pictures.reference);
     pictures.difference = differenceOf(pictures.submission, pictures.reference);
@@ -248,19 +247,26 @@ void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path&
                 }
 }
 
-void copyOwnPictures(std::vector<AssignmentResult>& results, const fs::path& from,
-                     const fs::path& to) {
+void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::string>& open,
+                  const fs::path& from, const fs::path& to) {
+    const auto copy = [&](const std::string& path) {
+        fs::create_directories((to / path).parent_path());
+        fs::copy_file(from / path, to / path, fs::copy_options::overwrite_existing);
+    };
     for (AssignmentResult& result : results)
         for (TaskResult& task : result.tasks)
             for (CheckResult& check : task.checks) {
-                for (FeatureResult& feature : check.features)
-                    feature.mask = {};
-                if (!check.pictures)
-                    continue;
-                const std::string path = check.imagePaths.at("submission");
-                check.imagePaths = {{"submission", path}};
-                fs::create_directories((to / path).parent_path());
-                fs::copy_file(from / path, to / path, fs::copy_options::overwrite_existing);
+                if (!open.contains(check.id)) {
+                    std::erase_if(check.imagePaths,
+                                  [](const auto& each) { return each.first != "submission"; });
+                    for (FeatureResult& feature : check.features)
+                        feature.mask = {};
+                }
+                for (const auto& [name, path] : check.imagePaths)
+                    copy(path);
+                for (const FeatureResult& feature : check.features)
+                    if (check.pictures && !feature.mask.empty())
+                        copy(maskPath(result.assignment, check, feature));
             }
 }
 

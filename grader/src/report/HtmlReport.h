@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@ namespace grader {
 /// paths of the pictures, relative to it, in the checks. Loads the image library.
 void writeReportPictures(std::vector<AssignmentResult>& results, const fs::path& folder);
 
-/// Of every frame takes only the submission's own picture, which writeReportPictures has put into
-/// `from`, over to `to`: for reports that must not give away what seeded frames should look like.
-void copyOwnPictures(std::vector<AssignmentResult>& results, const fs::path& from,
-                     const fs::path& to);
+/// Takes the pictures that writeReportPictures has put into `from` over to `to`: all of them of the
+/// frames that are `open`, of the others only the submission's own, for reports that must not give
+/// away what seeded frames should look like.
+void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::string>& open,
+                  const fs::path& from, const fs::path& to);
 
 /// The report as one page that needs nothing else: pictures, style and script are embedded, and its
 /// content security policy forbids everything from elsewhere. Without scripts it still shows all
