@@ -138,13 +138,16 @@ std::vector<Sample> watch(const fs::path& submissions, const fs::path& out, std:
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         memory = std::max(memory, peakMemoryOf(process));
         const std::size_t done = finishedIn(out);
-        if (done < next && done < count)
+        if (done < next)
             continue;
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         samples.push_back({done, seconds, memory});
-        next = done < count ? done + std::max<std::size_t>(50, count / 20) : count + 1;
+        next = done < count ? std::min(count, done + std::max<std::size_t>(50, count / 20))
+                            : count + 1;
     }
+    if (next > count)
+        return samples;
     samples.push_back(
         {finishedIn(out),
          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), memory});
