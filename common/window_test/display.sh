@@ -39,13 +39,18 @@ wait_for() {
     fail "waited in vain: $what"
 }
 
+# One after the other: two servers that start at once may take each other's socket away.
 start_display() {
+    exec 9> "${TMPDIR:-/tmp}/course-display-$(id -u).lock"
+    flock 9
     Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3> "$folder/display" \
-        2> "$folder/server" &
+        2> "$folder/server" 9>&- &
     server=$!
     wait_for "the display starts" test -s "$folder/display"
     DISPLAY=:$(< "$folder/display")
     export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+    wait_for "the display answers" xdotool getdisplaygeometry
+    exec 9>&-
 }
 
 # open_window PROGRAM ARGUMENT...: runs it in $folder, where its screenshots appear, and gives its
