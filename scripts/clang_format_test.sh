@@ -22,8 +22,9 @@ done
 git rev-parse --is-inside-work-tree > /dev/null 2>&1 ||
     skip "git does not call this folder a checkout, so which files are kept is unknown"
 
-# A mistake is the inside of a function and stands alone in its file.
-mapfile -d '' files < <(git ls-files -z -- '*.h' '*.cpp' ':!solutions/*/mistakes/*' ':!grader/tests/hostile/*')
+# A mistake is the inside of a function and stands alone in its file; students write as they like.
+mapfile -d '' files < <(git ls-files -z -- '*.h' '*.cpp' ':!solutions/*/mistakes/*' ':!grader/tests/hostile/*' \
+    ':!grader/examples/*')
 ((${#files[@]} > 0)) || { echo "git keeps no C++ file here: expected some"; exit 1; }
 "$program" --dry-run -Werror "${files[@]}" ||
     { echo "format them: clang-format -i FILE"; exit 1; }

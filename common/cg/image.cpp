@@ -104,7 +104,8 @@ Pixels readImage(const std::string& path) {
     }
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
-    // What a picture claims to hold is not to be believed before it is known to be no more than this.
+    // What a picture claims to hold is not to be believed before it is known to be no more than
+    // this.
     OIIO::attribute("limits:imagesize_MB", static_cast<int>(maxPixels * 4 * sizeof(float) >> 20));
     const auto input = OIIO::ImageInput::open(path, &wish);
     if (!input) {

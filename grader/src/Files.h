@@ -33,8 +33,8 @@ private:
     int file_;
 };
 
-/// A new folder under the system's temporary folder, removed with all in it at the end. It is locked
-/// as long as its process lives, so that what a killed one left behind can be told.
+/// A new folder under the system's temporary folder, removed with all in it at the end. It is
+/// locked as long as its process lives, so that what a killed one left behind can be told.
 class WorkFolder {
 public:
     WorkFolder();
@@ -48,8 +48,8 @@ private:
     int lock_ = -1;
 };
 
-/// Removes work folders whose processes were killed: those that nobody has locked and that are older
-/// than `minutes`. What cannot be removed stays.
+/// Removes work folders whose processes were killed: those that nobody has locked and that are
+/// older than `minutes`. What cannot be removed stays.
 void removeAbandonedWork(int minutes = 10);
 
 }  // namespace grader
