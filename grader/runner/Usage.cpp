@@ -103,7 +103,8 @@ std::size_t openFilesOf(pid_t process) {
 Allowance allowance() {
     // Without a limit (under a sanitizer), more than anybody needs and less than a machine has.
     constexpr std::size_t kMostMemory = std::size_t(4) << 30;
-    return {std::min<std::size_t>(limitOf(RLIMIT_AS), kMostMemory), limitOf(RLIMIT_NPROC),
+    const std::size_t memory = limitOf(RLIMIT_AS);
+    return {memory == RLIM_INFINITY ? kMostMemory : memory, limitOf(RLIMIT_NPROC),
             limitOf(RLIMIT_FSIZE), limitOf(RLIMIT_NOFILE), limitOf(RLIMIT_CPU)};
 }
 

@@ -179,6 +179,13 @@ private:
 
 }  // namespace
 
+Submission submissionIn(const fs::path& folder, const std::vector<std::string>& known) {
+    const bool perAssignment = std::any_of(known.begin(), known.end(), [&](const std::string& id) {
+        return fs::is_directory(fs::symlink_status(folder / id));
+    });
+    return {fs::absolute(folder), perAssignment};
+}
+
 fs::path Submission::folderFor(const std::string& assignment, const std::string& graded) const {
     if (perAssignment)
         return folder / assignment;

@@ -23,6 +23,9 @@ struct Submission {
     fs::path folderFor(const std::string& assignment, const std::string& graded) const;
 };
 
+/// What a folder is: with a folder named like one of the `known` assignments it holds one for each.
+Submission submissionIn(const fs::path& folder, const std::vector<std::string>& known);
+
 /// Whose file it is in the stage.
 enum class Role {
     own,        ///< the student's file of this assignment

@@ -77,10 +77,11 @@ std::size_t firstInvalidUtf8(const std::string& text, std::size_t from) {
     return std::string::npos;
 }
 
-FileLock::FileLock(const fs::path& file)
+FileLock::FileLock(const fs::path& file, Wait wait)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (file_ < 0 || flock(file_, LOCK_EX) != 0)
-        throw Error("{} cannot be locked: {}", file.string(), std::strerror(errno));
+    if (file_ < 0)
+        throw Error("{} cannot be written: {}", file.string(), std::strerror(errno));
+    held_ = flock(file_, LOCK_EX | (wait == Wait::no ? LOCK_NB : 0)) == 0;
 }
 
 FileLock::~FileLock() {

@@ -20,17 +20,21 @@ std::string sha256(const std::string& data);
 /// byte is no text.
 std::size_t firstInvalidUtf8(const std::string& text, std::size_t from = 0);
 
-/// Holds a file's lock, which it makes if need be, as long as it lives; waits for it first. Throws
-/// Error when the file cannot be opened.
+/// Holds the lock of a file, which it makes if need be, as long as it lives. Throws Error when the
+/// file cannot be opened.
 class FileLock {
 public:
-    explicit FileLock(const fs::path& file);
+    enum class Wait { yes, no };
+    FileLock(const fs::path& file, Wait wait);
     ~FileLock();
+    /// False when it did not wait, and somebody else has the lock.
+    bool held() const { return held_; }
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
 private:
     int file_;
+    bool held_;
 };
 
 /// A new folder under the system's temporary folder, removed with all in it at the end. It is

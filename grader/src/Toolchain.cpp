@@ -85,7 +85,7 @@ fs::path reachableKit(const fs::path& kit) {
     fs::create_directories(home);
     chmod(home.c_str(), 0755);
     // One at a time: who comes second finds the copy made, and nobody removes what is being made.
-    const FileLock lock(home / "lock");
+    const FileLock lock(home / "lock", FileLock::Wait::yes);
     if (fs::exists(copy))
         return copy;
     for (const auto& entry : fs::directory_iterator(home))

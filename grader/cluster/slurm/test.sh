@@ -16,7 +16,7 @@ if ((EUID != 0)); then
     exit 77
 fi
 
-work=$(mktemp -d /tmp/slurm-test-XXXXXX)
+work=$(mktemp -d "${TMPDIR:-/tmp}/slurm-test-XXXXXX")
 daemons=()
 stop() {
     local code=$?

@@ -174,7 +174,7 @@ Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const 
         ledger_.keep(entrant.name, key, document.dump(2) + "\n");
         return standingFrom(entrant.name, std::move(document));
     }
-    const Submission submission = submissionIn(unpacked.folder);
+    const Submission submission = submissionIn(unpacked.folder, known_);
     std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, seed_)};
     if (!unpacked.notice.empty())
         results.front().notices.push_back(unpacked.notice);
@@ -256,13 +256,6 @@ void Batch::writeReports(std::vector<AssignmentResult>& results, const std::stri
     writeFile(report / "index.html", htmlReport(results, report));
 }
 
-Submission Batch::submissionIn(const fs::path& folder) const {
-    const bool perAssignment = std::any_of(
-        known_.begin(), known_.end(),
-        [&](const std::string& id) { return fs::is_directory(fs::symlink_status(folder / id)); });
-    return {fs::absolute(folder), perAssignment};
-}
-
 std::string Batch::keyOf(const Entrant& entrant) const {
     std::string files = key_;
     switch (entrant.kind) {
@@ -278,7 +271,7 @@ std::string Batch::keyOf(const Entrant& entrant) const {
             break;
     }
     const Collected collected =
-        collect(grader_.tools().root, manifest_, submissionIn(entrant.path));
+        collect(grader_.tools().root, manifest_, submissionIn(entrant.path, known_));
     for (const StagedFile& file : collected.stage.files)
         files += file.name + " " + file.origin + " " + sha256(file.content) + "\n";
     for (const std::string& name : collected.ignored)

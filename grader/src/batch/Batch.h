@@ -51,7 +51,6 @@ private:
     Unpacked laidOut(const Entrant& entrant, const Job& job) const;
     std::string repeated(const Submission& submission, const AssignmentResult& first) const;
     void writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const;
-    Submission submissionIn(const fs::path& folder) const;
     std::string keyOf(const Entrant& entrant) const;
 
     const Grader& grader_;

@@ -103,7 +103,6 @@ TEST(Export, OfCanvas) {
     tree.write("roejo_LATE_222_900_work.zip", "");
     tree.write("readme.txt", "");
     const Intake intake = takenIn(tree);
-    EXPECT_EQ(intake.platform, "canvas");
     ASSERT_EQ(intake.entrants.size(), 2u);
     const Entrant& doe = called(intake, "doejane_12345");
     EXPECT_EQ(doe.kind, EntrantKind::looseFiles);
@@ -125,7 +124,6 @@ TEST(Export, OfMoodle) {
     tree.write("Jo Roe_222_assignsubmission_onlinetext_/onlinetext.html", "");
     tree.write("Ann Li_333_assignsubmission_file_Camera.cpp", "");
     const Intake intake = takenIn(tree);
-    EXPECT_EQ(intake.platform, "moodle");
     ASSERT_EQ(intake.entrants.size(), 3u);
     EXPECT_EQ(called(intake, "Jane Doe_1234567").owners.at(0).name, "Jane Doe");
     EXPECT_EQ(called(intake, "Jo Roe_222").kind, EntrantKind::archive);
@@ -142,7 +140,6 @@ TEST(Export, OfGradescope) {
                "j@x.edu\n  - :name: Jo Roe\n    :sid: '8'\n    :email: r@x.edu\n  :created_at: "
                "2026-11-01 10:00:00.000000000 Z\n  :status: processed\n");
     const Intake intake = takenIn(tree);
-    EXPECT_EQ(intake.platform, "gradescope");
     ASSERT_EQ(intake.entrants.size(), 1u);
     ASSERT_EQ(intake.entrants[0].owners.size(), 2u);
     EXPECT_EQ(intake.entrants[0].owners[1].email, "r@x.edu");
@@ -331,16 +328,16 @@ protected:
         policy.percentPerDay = 10;
         const auto students = roster("ann,,,,,\nbob,,,,,\ncy,,,,,\n");
         const ClassList list = whoIsWho(intake_, &students);
-        auto all =
-            marksOf(someManifest(), list,
-                    {{"ann", graded("ann", view, 60)},
-                     {"bob", {"bob", "refused", "it is encrypted", 0, 0, Json(), "", false}}},
-                    AttemptRule::last, policy, overrides);
+        auto all = marksOf(someManifest(), list,
+                           {{"ann", graded("ann", view, 60)},
+                            {"bob", {"bob", fault_, "it is encrypted", 0, 0, Json(), "", false}}},
+                           AttemptRule::last, policy, overrides);
         overrides.remember();
         return all;
     }
 
     Intake intake_;
+    std::string fault_ = "refused";  ///< what became of bob
 };
 
 TEST_F(MarksTest, LatenessIsTakenFromWhatWasEarned) {
@@ -371,6 +368,25 @@ TEST_F(MarksTest, DecisionsStayAndWarnWhenTheMarkUnderThemChanged) {
                 ElementsAre(HasSubstr("the automatic mark was 20 when it was decided, and is 30")));
     EXPECT_THAT(marks(decisions, 30)[0].warnings, testing::SizeIs(1)) << "until somebody looks";
     EXPECT_THAT(marks("ann,view-matrix,40,looked again\n", 30)[0].warnings, IsEmpty());
+}
+
+TEST_F(MarksTest, AFaultOfTheGraderIsNoMarkUntilEverythingIsDecided) {
+    fault_ = "grader_error";
+    const auto partly = marks("bob,rotate-up,5,on paper\n");
+    EXPECT_EQ(partly[1].status, "grader_error");
+    EXPECT_FALSE(partly[1].sentence.empty());
+    const auto wholly = marks("bob,rotate-up,5,on paper\nbob,view-matrix,6,on paper\n");
+    EXPECT_EQ(wholly[1].status, "decided");
+    EXPECT_EQ(wholly[1].points, 11);
+}
+
+TEST_F(MarksTest, WhatIsNotGradedThisTimeIsRememberedAllTheSame) {
+    const std::string decisions = "ann,view-matrix,40,it was our fault\n";
+    marks(decisions);
+    tree_.write("o.csv", "student,task,points,reason\n" + decisions);
+    Overrides stopped(tree_ / "o.csv", tree_ / "memory.json", someManifest());
+    stopped.remember();  // before anything was graded
+    EXPECT_THAT(marks(decisions, 30)[0].warnings, testing::SizeIs(1));
 }
 
 TEST_F(MarksTest, DecisionsWithFaultsAreRefused) {

@@ -21,6 +21,25 @@ double numberIn(const std::string& text) {
     return failed == std::errc() && end == text.data() + text.size() ? value : 0;
 }
 
+/// A mark as the platform counts it; says once where that is another number of points than ours.
+struct Scale {
+    const char* platform;
+    std::vector<std::string>& remarks;
+    bool said = false;
+
+    /// `possible`: the platform's points, 0 where it names none.
+    std::string operator()(const Line& line, double possible) {
+        if (possible <= 0 || std::abs(possible - line.maxPoints) < 1e-9)
+            return shown(line.points);
+        if (!said)
+            remarks.push_back(
+                fmt::format("marks are scaled from {:g} to the {:g} points that {} counts",
+                            line.maxPoints, possible, platform));
+        said = true;
+        return shown(line.points * possible / line.maxPoints);
+    }
+};
+
 /// The row in which any of the columns holds any of the keys; nothing when none or several do.
 std::optional<std::size_t> rowWith(const CsvTable& table, const std::vector<std::string>& columns,
                                    const std::vector<std::string>& keys) {
@@ -64,6 +83,7 @@ Filled fillCanvas(CsvTable table, const std::string& name, const std::vector<Lin
     for (std::size_t row = 0; row < table.rows(); ++row)
         if (table.cell(row, "Student") == "Points Possible")
             possible = numberIn(table.cell(row, column));
+    Scale scale{"Canvas", filled.remarks};
     for (const Line& line : lines) {
         const auto row =
             rowWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {line.id, line.email});
@@ -71,14 +91,7 @@ Filled fillCanvas(CsvTable table, const std::string& name, const std::vector<Lin
             filled.remarks.push_back(nameOf(line) + " is not in the gradebook");
             continue;
         }
-        const bool scaled = possible > 0 && std::abs(possible - line.maxPoints) > 1e-9;
-        if (scaled && filled.marks == 0)
-            filled.remarks.push_back(
-                fmt::format("marks are scaled from {:g} to the {:g} points "
-                            "that Canvas counts",
-                            line.maxPoints, possible));
-        table.set(*row, column,
-                  shown(scaled ? line.points * possible / line.maxPoints : line.points));
+        table.set(*row, column, scale(line, possible));
         ++filled.marks;
     }
     filled.text = table.text();
@@ -90,7 +103,7 @@ Filled fillMoodle(CsvTable table, const std::vector<Line>& lines) {
     table.needColumn("Identifier");
     const auto feedback = table.column("Feedback comments");
     Filled filled;
-    bool saidScaled = false;
+    Scale scale{"Moodle", filled.remarks};
     for (const Line& line : lines) {
         auto row = rowWith(table, {"Identifier", "Email address", "ID number"},
                            {"Participant " + line.id, line.id, line.email});
@@ -105,15 +118,7 @@ Filled fillMoodle(CsvTable table, const std::vector<Line>& lines) {
                                      ": Moodle says that the grade cannot be changed");
             continue;
         }
-        const double most = numberIn(table.cell(*row, "Maximum Grade"));
-        const bool scaled = most > 0 && std::abs(most - line.maxPoints) > 1e-9;
-        if (scaled && !saidScaled)
-            filled.remarks.push_back(
-                fmt::format("marks are scaled from {:g} to the {:g} points "
-                            "that Moodle counts",
-                            line.maxPoints, most));
-        saidScaled = saidScaled || scaled;
-        table.set(*row, grade, shown(scaled ? line.points * most / line.maxPoints : line.points));
+        table.set(*row, grade, scale(line, numberIn(table.cell(*row, "Maximum Grade"))));
         if (feedback)
             table.set(*row, *feedback, line.feedback);
         ++filled.marks;

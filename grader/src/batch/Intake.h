@@ -34,7 +34,6 @@ struct Entrant {
 };
 
 struct Intake {
-    std::string platform;              ///< whose export it is: "canvas", "moodle", "gradescope", ""
     std::vector<Entrant> entrants;     ///< by name
     std::vector<std::string> ignored;  ///< what is no submission, with the reason
 };

@@ -40,16 +40,31 @@ Mark markFrom(const Manifest& manifest, const Participant& participant, const St
     return mark;
 }
 
-void decide(Mark& mark, Overrides& overrides) {
-    for (TaskMark& task : mark.tasks) {
+void decide(Mark& mark, const Overrides& overrides) {
+    std::size_t decided = 0;
+    for (TaskMark& task : mark.tasks)
+        if (const Override* decision = overrides.find(mark.student.id, task.id)) {
+            ++decided;
+            task.points = decision->points;
+            task.pending = false;
+            task.reason = decision->reason;
+        }
+    // What a person decided is a mark of its own where there is nothing to grade. A fault of the
+    // grader's, or not knowing what to grade, stays one until every task is decided.
+    const bool nothingToGrade = mark.status == "missing" || mark.status == "refused";
+    const bool all = decided == mark.tasks.size() && !mark.sentence.empty();
+    if (decided > 0 && (nothingToGrade || all)) {
+        mark.status = "decided";
+        mark.sentence.clear();
+    }
+}
+
+/// Warns where the automatic mark under a decision is another than it was.
+void remind(Mark& mark, Overrides& overrides) {
+    for (const TaskMark& task : mark.tasks) {
         const Override* decision = overrides.find(mark.student.id, task.id);
         if (!decision)
             continue;
-        mark.status = mark.sentence.empty() && mark.status != "missing" ? mark.status : "decided";
-        mark.sentence.clear();
-        task.points = decision->points;
-        task.pending = false;
-        task.reason = decision->reason;
         const double before = overrides.automaticWhenDecided(*decision, task.automatic);
         if (std::abs(before - task.automatic) > 1e-6)
             mark.warnings.push_back(fmt::format(
@@ -69,11 +84,6 @@ void charge(Mark& mark, const Entrant* entrant, const Policy& policy) {
 }
 
 }  // namespace
-
-bool Mark::pending() const {
-    return std::any_of(tasks.begin(), tasks.end(),
-                       [](const TaskMark& task) { return task.pending; });
-}
 
 std::vector<std::string> Mark::remarks() const {
     std::vector<std::string> all;
@@ -165,6 +175,7 @@ std::vector<Mark> marksOf(const Manifest& manifest, const ClassList& list,
             decide(*best, overrides);
             charge(*best, nullptr, policy);
         }
+        remind(*best, overrides);
         marks.push_back(std::move(*best));
     }
     return marks;

@@ -29,7 +29,6 @@ struct Mark {
     Json result;                        ///< the result document; null where there is none
 
     bool graderFailed() const { return status == "grader_error"; }
-    bool pending() const;  ///< some task waits for a person
     /// The sentences that a student gets beside the report: late, decided by a person.
     std::vector<std::string> remarks() const;
 };

@@ -76,8 +76,13 @@ std::vector<std::string> Overrides::strangers(const std::vector<std::string>& st
 }
 
 void Overrides::remember() const {
-    if (!memory_.empty())
-        writeFile(memory_, Json(now_).dump(2) + "\n");
+    if (memory_.empty())
+        return;
+    auto all = now_;
+    for (const Override& each : decisions_)  // those of students that were not graded this time
+        if (const auto known = before_.find(keyOf(each)); known != before_.end())
+            all.insert(*known);
+    writeFile(memory_, Json(all).dump(2) + "\n");
 }
 
 }  // namespace grader

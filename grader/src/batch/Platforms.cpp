@@ -63,7 +63,7 @@ struct CanvasFile {
 
 Intake takeInCanvas(const std::vector<fs::directory_entry>& entries, const std::regex& form,
                     const Manifest& manifest) {
-    Intake intake{"canvas", {}, {}};
+    Intake intake;
     std::map<std::string, std::map<std::string, CanvasFile>> students;  // name → file name → newest
     std::map<std::string, Entrant> about;
     for (const auto& entry : entries) {
@@ -97,7 +97,7 @@ Intake takeInCanvas(const std::vector<fs::directory_entry>& entries, const std::
 
 Intake takeInMoodle(const std::vector<fs::directory_entry>& entries, const std::regex& form,
                     const Manifest& manifest, const std::vector<std::string>& known) {
-    Intake intake{"moodle", {}, {}};
+    Intake intake;
     std::map<std::string, std::vector<LooseFile>> loose;
     std::map<std::string, Owner> owners;
     for (const auto& entry : entries) {
@@ -136,7 +136,7 @@ Intake takeInGradescope(const fs::path& submissions,
                         const std::vector<fs::directory_entry>& entries, const Manifest& manifest,
                         const std::vector<std::string>& known) {
     const std::string file = (submissions / kGradescopeMetadata).string();
-    Intake intake{"gradescope", {}, {}};
+    Intake intake;
     try {
         const YAML::Node metadata = YAML::LoadFile(file);
         for (const auto& entry : entries) {

@@ -84,8 +84,11 @@ private:
         }
         if (found.empty() && roster)
             found = studentsOfGroup(owner.id, *roster);
-        for (const Student* each : found)
-            participants_.at(each->id).attempts.push_back(&entrant);
+        for (const Student* each : found) {
+            auto& attempts = participants_.at(each->id).attempts;
+            if (attempts.empty() || attempts.back() != &entrant)  // named twice in one group
+                attempts.push_back(&entrant);
+        }
         if (!found.empty())
             return;
         // Nobody's that is known: it stands for itself.

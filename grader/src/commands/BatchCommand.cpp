@@ -1,12 +1,7 @@
 #include "commands/BatchCommand.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -77,17 +72,6 @@ std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::
         Json{{"format", 1}, {"assignment", options.assignment}, {"seed", seed}}.dump(2) + "\n");
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
     return seed;
-}
-
-/// Only one batch at a time may write to a folder. Held until the program ends.
-void lockFolder(const fs::path& out) {
-    const fs::path file = out / "lock";
-    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (descriptor < 0)
-        throw Error("{} cannot be written: {}", out.string(), std::strerror(errno));
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-        throw Error("another batch is writing to {}: wait for it, or choose another --out",
-                    out.string());
 }
 
 std::string lineOf(const Standing& standing) {
@@ -185,7 +169,10 @@ int runBatch(const Options& options) {
     const auto entrants = chosen(list, options, rules.policy);
 
     fs::create_directories(out);
-    lockFolder(out);
+    const FileLock lock(out / "lock", FileLock::Wait::no);
+    if (!lock.held())
+        throw Error("another batch is writing to {}: wait for it, or choose another --out",
+                    out.string());
     const std::uint64_t seed = seedFor(options, tools, out / "batch.json");
     const Ledger ledger(out);
     const Grader grader(tools, *sandbox);

@@ -59,15 +59,19 @@ struct Batch {
 Scored scoredOf(const Json& student, const fs::path& folder) {
     const std::string submission = student.at("submission");
     const fs::path home = folder / "students" / submission;
+    std::map<std::string, double> tasks;
+    for (const Json& task : student.at("tasks"))
+        tasks[task.at("id")] = task.at("points");
     return {student.at("student"),
             student.at("points"),
             student.at("max_points"),
+            std::move(tasks),
             student.at("remarks"),
             submission.empty() ? Json() : parseJsonFile((home / "result.json").string()),
             home / "report"};
 }
 
-/// A line for each task that lost, and what people and the deadline did.
+/// What each task earned, and what people and the deadline did.
 std::string feedbackFor(const Json& student) {
     std::vector<std::string> lines;
     for (const Json& task : student.at("tasks"))

@@ -66,9 +66,9 @@ Selection select(const Toolchain& tools, const Sandbox& sandbox, const Options& 
     const fs::path folder = folderOf(tools, sandbox, options.submission, selection);
     std::vector<std::string> present;
     for (const std::string& id : known)
-        if (fs::is_directory(folder / id))
+        if (fs::is_directory(fs::symlink_status(folder / id)))
             present.push_back(id);
-    selection.submission = {fs::absolute(folder), !present.empty()};
+    selection.submission = submissionIn(folder, known);
     if (selection.assignments.empty())
         selection.assignments = present;
     if (present.empty() && options.assignments.size() != 1)

@@ -61,11 +61,6 @@ std::string dumped(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Text in XML, without the characters that XML does not have.
-std::string xml(const std::string& text) {
-    return escaped(text);
-}
-
 }  // namespace
 
 std::string gradescopeResult(const Scored& scored) {
@@ -143,11 +138,7 @@ std::string classroom50Result(const Scored& scored, const Classroom& classroom) 
 }
 
 std::string autolabLine(const Scored& scored) {
-    Json scores = Json::object();
-    if (scored.result.contains("tasks"))
-        for (const Json& task : scored.result.at("tasks"))
-            scores[task.at("id").get<std::string>()] = task.at("points");
-    return Json{{"scores", scores}}.dump() + "\n";
+    return Json{{"scores", scored.tasks}}.dump() + "\n";
 }
 
 std::string junitXml(const std::string& name, const std::vector<Scored>& all) {
@@ -163,26 +154,26 @@ std::string junitXml(const std::string& name, const std::vector<Scored>& all) {
             cases += fmt::format("    <testcase {}{}", about, full ? "/>\n" : ">");
             if (!full)
                 cases += fmt::format("<failure message=\"{}\">{}</failure></testcase>\n",
-                                     xml(message), xml(output));
+                                     escaped(message), escaped(output));
         };
         for (const std::string& line : linesOfBuild(scored.result))
             add("name=\"build\" classname=\"build\"", line, line, false);
         forEachCheck(scored.result, [&](const Json& task, const Json& check) {
-            add(fmt::format("name=\"{}\" classname=\"{}\"", xml(textOf(check, "id")),
-                            xml(textOf(task, "id"))),
+            add(fmt::format("name=\"{}\" classname=\"{}\"", escaped(textOf(check, "id")),
+                            escaped(textOf(task, "id"))),
                 textOf(check, "message"), outputOf(check), isFull(check));
         });
         suites += fmt::format(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n"
             "{}  </testsuite>\n",
-            xml(scored.student), tests, failures, cases);
+            escaped(scored.student), tests, failures, cases);
         allTests += tests;
         allFailures += failures;
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" "
         "failures=\"{}\">\n{}</testsuites>\n",
-        xml(name), allTests, allFailures, suites);
+        escaped(name), allTests, allFailures, suites);
 }
 
 }  // namespace grader

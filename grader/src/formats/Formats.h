@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@ namespace grader {
 /// One graded submission, for a platform that shows results.
 struct Scored {
     std::string student;
-    double points = 0, maxPoints = 0;  ///< after decisions of people and lateness
-    std::vector<std::string> remarks;  ///< on those; sentences
-    Json result;                       ///< the result document, grader/RESULT.md; null: no file
-    fs::path report;                   ///< where the pictures of the document are; may be empty
+    double points = 0, maxPoints = 0;     ///< after decisions of people and lateness
+    std::map<std::string, double> tasks;  ///< id → points, after decisions of people
+    std::vector<std::string> remarks;     ///< on those; sentences
+    Json result;                          ///< the result document, grader/RESULT.md; null: no file
+    fs::path report;                      ///< where the pictures of the document are; may be empty
 };
 
 /// results.json of a Gradescope autograder.
@@ -31,7 +33,8 @@ struct Classroom {
 /// Version 1 of classroom50/result, whose points are whole numbers.
 std::string classroom50Result(const Scored& scored, const Classroom& classroom);
 
-/// The last line that an Autolab autograder prints.
+/// The last line that an Autolab autograder prints: points by task. What being late costs is
+/// Autolab's own to charge.
 std::string autolabLine(const Scored& scored);
 
 /// JUnit XML: a test suite for each submission, a test case for each check.

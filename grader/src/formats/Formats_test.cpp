@@ -13,7 +13,7 @@ using testing::Not;
 using testing_help::Tree;
 
 Scored scored(const fs::path& report = {}) {
-    Scored one{"ann", 54.6, 100, {"2 days late"}, Json(), report};
+    Scored one{"ann", 54.6, 100, {{"rotation", 42}}, {"2 days late"}, Json(), report};
     one.result = Json::parse(R"({
         "assignment": "06-rotation",
         "build": {"ok": true, "diagnostics": []},
@@ -27,7 +27,7 @@ Scored scored(const fs::path& report = {}) {
 }
 
 Scored broken() {
-    Scored one{"bob", 0, 100, {}, Json(), {}};
+    Scored one{"bob", 0, 100, {}, {}, Json(), {}};
     one.result = Json::parse(R"({"assignment": "06-rotation", "tasks": [], "build": {"ok": false,
         "diagnostics": [{"file": "rotation.cpp", "line": 3, "severity": "error",
                          "message": "expected ';'"}]}})");
@@ -72,7 +72,7 @@ TEST(Classroom50, HasWholePoints) {
 }
 
 TEST(Autolab, IsOneLineOfPointsByTask) {
-    EXPECT_EQ(autolabLine(scored()), "{\"scores\":{\"rotation\":40.4}}\n");
+    EXPECT_EQ(autolabLine(scored()), "{\"scores\":{\"rotation\":42.0}}\n") << "as decided";
     EXPECT_EQ(autolabLine(broken()), "{\"scores\":{}}\n");
 }
 
