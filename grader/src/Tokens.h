@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+/// A token of C++ or GLSL, or what comes nearest to it in another text.
+struct Token {
+    std::string kind;  ///< "NAME", "NUMBER", "STRING", a keyword that matters, or a character
+    std::string word;  ///< what it says
+};
+
+/// The tokens of a text; comments and layout are passed over. Any text has tokens.
+std::vector<Token> tokensIn(const std::string& text);
+
+}  // namespace grader

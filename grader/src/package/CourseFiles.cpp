@@ -1,0 +1,140 @@
+#include "package/CourseFiles.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "Error.h"
+#include "Process.h"
+
+namespace grader {
+
+namespace {
+
+constexpr double kGitSeconds = 60;
+
+std::string git(const fs::path& root, const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {"git", "-C", root.string()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const ProcessResult ran = run(command, kGitSeconds, 16u << 20);
+    if (!ran.succeeded())
+        throw Error(
+            "{}: a package is made of what git keeps, and git says: {}Make it a repository "
+            "(git init, git add, git commit), or use a clone.",
+            root.string(), ran.output);
+    return ran.output;
+}
+
+/// The parts of a text that zero bytes end.
+std::vector<std::string> partsOf(const std::string& text) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0, end; (end = text.find('\0', from)) != std::string::npos;
+         from = end + 1)
+        parts.push_back(text.substr(from, end - from));
+    return parts;
+}
+
+void refuseUncommitted(const fs::path& root) {
+    std::string changed;
+    for (const std::string& line :
+         partsOf(git(root, {"status", "--porcelain", "-z", "--untracked-files=no", "--", "."})))
+        if (line.size() > 3)
+            changed += "\n  " + line.substr(3);
+    if (!changed.empty())
+        throw Error(
+            "a package is made of what is committed, and these files have changes that are "
+            "not:{}\nCommit them, or put them away (git stash).",
+            changed);
+}
+
+constexpr int kFileMode = 0644, kProgramMode = 0755;
+
+struct CloseArchive {
+    void operator()(archive* each) const { archive_write_free(each); }
+};
+
+void check(archive* writer, int status, const fs::path& file) {
+    if (status < ARCHIVE_OK)
+        throw Error("{} cannot be written: {}", file.string(), archive_error_string(writer));
+}
+
+void writeEntries(const CourseFiles& course, archive* writer, const fs::path& file) {
+    for (const auto& [path, each] : course.files) {
+        const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                             archive_entry_free);
+        archive_entry_set_pathname_utf8(entry.get(), path.c_str());
+        archive_entry_set_filetype(entry.get(), AE_IFREG);
+        archive_entry_set_perm(entry.get(), each.executable ? kProgramMode : kFileMode);
+        archive_entry_set_size(entry.get(), static_cast<la_int64_t>(each.content.size()));
+        archive_entry_set_mtime(entry.get(), course.seconds, 0);
+        check(writer, archive_write_header(writer, entry.get()), file);
+        if (archive_write_data(writer, each.content.data(), each.content.size()) < 0)
+            check(writer, ARCHIVE_FATAL, file);
+    }
+}
+
+}  // namespace
+
+void CourseFiles::remove(const std::string& path) {
+    files.erase(path);
+    std::erase_if(files, [&](const auto& each) { return each.first.starts_with(path + "/"); });
+}
+
+CourseFiles committedFiles(const fs::path& root, const std::string& without) {
+    refuseUncommitted(root);
+    CourseFiles course;
+    course.commit = git(root, {"rev-parse", "HEAD"}).substr(0, 40);
+    course.seconds = std::stoll(git(root, {"show", "-s", "--format=%ct", "HEAD"}));
+    std::vector<std::string> list = {"ls-files", "-z", "--", "."};
+    if (!without.empty())
+        list.push_back(fmt::format(":(exclude,attr:{})", without));
+    for (const std::string& path : partsOf(git(root, list))) {
+        const fs::path file = root / path;
+        if (!fs::is_regular_file(fs::symlink_status(file)))
+            throw Error("{}: expected a file; a package takes no link and no repository within",
+                        file.string());
+        const bool executable =
+            (fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none;
+        course.files[path] = {readFile(file), executable};
+    }
+    return course;
+}
+
+void writeTree(const CourseFiles& course, const fs::path& folder) {
+    if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder)))
+        throw Error("{} is not empty: name a folder that is, or that does not exist yet",
+                    folder.string());
+    for (const auto& [path, each] : course.files) {
+        fs::create_directories((folder / path).parent_path());
+        writeFile(folder / path, each.content);
+        fs::permissions(folder / path,
+                        static_cast<fs::perms>(each.executable ? kProgramMode : kFileMode));
+    }
+}
+
+void writeArchive(const CourseFiles& course, const fs::path& archive) {
+    const std::string end = archive.extension();
+    if (end != ".zip" && end != ".tar")
+        throw Error("{}: expected a name that ends with .zip or .tar", archive.string());
+    const fs::path made = archive.string() + ".new";
+    try {
+        const std::unique_ptr<::archive, CloseArchive> writer(archive_write_new());
+        check(writer.get(),
+              end == ".zip" ? archive_write_set_format_zip(writer.get())
+                            : archive_write_set_format_pax_restricted(writer.get()),
+              archive);
+        check(writer.get(), archive_write_open_filename(writer.get(), made.c_str()), archive);
+        writeEntries(course, writer.get(), archive);
+        check(writer.get(), archive_write_close(writer.get()), archive);
+        fs::rename(made, archive);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(made, ignored);
+        throw;
+    }
+}
+
+}  // namespace grader
