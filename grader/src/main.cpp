@@ -12,6 +12,7 @@
 #include "commands/DoctorCommand.h"
 #include "commands/ExportCommand.h"
 #include "commands/GradeCommand.h"
+#include "commands/PackageCommand.h"
 
 namespace {
 
@@ -52,6 +53,7 @@ int main(int argc, char** argv) {
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
+    grader::addPackageStudentsCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "Toolchain.h"
+#include "commands/GradeCommand.h"
+#include "commands/PackageCommand.h"
+#include "package/StudentCopy.h"
+
+namespace grader {
+
+namespace {
+
+struct Options {
+    std::string out;
+    StudentCopyWish wish;
+};
+
+int packageStudents(const Options& options) {
+    const CourseFiles copy = studentCopy(Toolchain::load().root, options.wish);
+    const fs::path out = options.out;
+    if (out.has_extension() && (out.extension() == ".zip" || out.extension() == ".tar"))
+        writeArchive(copy, out);
+    else
+        writeTree(copy, out);
+    std::cout << fmt::format("{}: {} files of commit {}, no solution among them\n", options.out,
+                             copy.files.size(), copy.commit.substr(0, 12));
+    return kFullMarks;
+}
+
+}  // namespace
+
+void addPackageStudentsCommand(CLI::App& app, int& exitCode) {
+    static Options options;
+    CLI::App* command = app.add_subcommand(
+        "package-students",
+        "write the course as students get it: no solutions, mistakes, hidden tests or pages for "
+        "instructors, no history");
+    command
+        ->add_option("out", options.out,
+                     "an empty or new folder, or a file that ends with .zip or .tar")
+        ->required();
+    command->add_option("--upto", options.wish.upto,
+                        "the last assignment that students have by now; default all");
+    command->add_option("--with-solutions", options.wish.withSolutions,
+                        "assignments whose solved files students get, too");
+    command->callback([&exitCode] { exitCode = packageStudents(options); });
+}
+
+}  // namespace grader

@@ -1,0 +1,131 @@
+#include "package/StudentCopy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "Error.h"
+#include "Manifest.h"
+#include "package/Leaks.h"
+
+namespace grader {
+
+namespace {
+
+constexpr const char* kOverlay = "students/";
+constexpr const char* kTableHere = "<!-- assignments -->\n";
+
+bool isIn(const std::vector<std::string>& all, const std::string& each) {
+    return std::find(all.begin(), all.end(), each) != all.end();
+}
+
+/// The assignments that the copy has, in order.
+std::vector<std::string> includedIn(const std::vector<std::string>& known,
+                                    const std::string& upto) {
+    const auto last = upto.empty() ? known.end() : std::find(known.begin(), known.end(), upto);
+    if (last == known.end())
+        return known;
+    return {known.begin(), last + 1};
+}
+
+void refuseUnknown(const std::vector<std::string>& known, const std::vector<std::string>& included,
+                   const StudentCopyWish& wish) {
+    if (!wish.upto.empty() && !isIn(known, wish.upto))
+        throw Error("--upto {}: there is no such assignment; known are {}", wish.upto,
+                    fmt::join(known, ", "));
+    for (const std::string& id : wish.withSolutions)
+        if (!isIn(included, id))
+            throw Error("--with-solutions {}: the copy has no such assignment, only {}", id,
+                        fmt::join(included, ", "));
+}
+
+/// The files of `course` that are below one of the folders or are named so.
+CourseFiles partOf(const CourseFiles& course, const std::vector<std::string>& starts) {
+    CourseFiles part;
+    for (const auto& [path, file] : course.files)
+        if (std::any_of(starts.begin(), starts.end(),
+                        [&](const std::string& each) { return path.starts_with(each); }))
+            part.files[path] = file;
+    return part;
+}
+
+/// An assignment takes files only from those before it, or students would miss them.
+void refuseMissing(const fs::path& root, const std::vector<std::string>& included) {
+    for (const std::string& id : included)
+        for (const auto& [file, from] : loadAssignment(root, id).inherits)
+            if (!isIn(included, from))
+                throw Error("{} takes {} from {}, which is not in the copy: name a later --upto",
+                            id, file, from);
+}
+
+std::string tableOf(const fs::path& root, const std::vector<std::string>& included) {
+    std::string table = "| | | |\n|---|---|---|\n";
+    for (const std::string& id : included) {
+        const Manifest manifest = loadAssignment(root, id);
+        table += fmt::format("| [{}](assignments/{}/README.md) | {} | {} |\n", id, id,
+                             manifest.title, manifest.summary);
+    }
+    return table;
+}
+
+/// Lays students/ over the copy and writes the table of assignments into its README.
+void layOver(CourseFiles& copy, const CourseFiles& all, const fs::path& root,
+             const std::vector<std::string>& included) {
+    const std::string overlay = kOverlay;
+    for (const auto& [path, file] : partOf(all, {overlay}).files)
+        copy.files[path.substr(overlay.size())] = file;
+    std::string& readme = copy.files["README.md"].content;
+    const std::size_t at = readme.find(kTableHere);
+    if (at == std::string::npos)
+        throw Error("{}: expected a line {} where the assignments are to be listed",
+                    (root / kOverlay / "README.md").string(), kTableHere);
+    readme.replace(at, std::string(kTableHere).size(), tableOf(root, included));
+}
+
+void refuseLeaks(const CourseFiles& copy, const CourseFiles& all,
+                 const std::vector<std::string>& known, const StudentCopyWish& wish) {
+    std::vector<std::string> open = {"common/"};
+    CourseFiles secret = partOf(all, {"solutions/"});
+    for (const std::string& id : known)
+        open.push_back("assignments/" + id + "/");
+    for (const std::string& id : wish.withSolutions) {
+        open.push_back("solutions/" + id + "/");
+        secret.remove("solutions/" + id);
+    }
+    std::string found;
+    for (const Leak& leak : leaksOf(copy, secret, partOf(all, open)))
+        found += fmt::format("\n  {}: as in {}: {}", leak.path, leak.source, leak.words);
+    if (!found.empty())
+        throw Error(
+            "the students' copy would give solutions away:{}\nWrite these otherwise, or leave the "
+            "file out of the copy (attribute instructors in .gitattributes).",
+            found);
+}
+
+}  // namespace
+
+CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
+    const auto known = knownAssignments(root), included = includedIn(known, wish.upto);
+    refuseUnknown(known, included, wish);
+    refuseMissing(root, included);
+    const CourseFiles all = committedFiles(root);
+    CourseFiles copy = committedFiles(root, "instructors");
+    for (const std::string& id : known)
+        if (!isIn(included, id)) {
+            copy.remove("assignments/" + id);
+            copy.remove("reference_images/" + id);
+        }
+    for (const std::string& id : wish.withSolutions)
+        for (const std::string& name : loadAssignment(root, id).submit) {
+            const std::string path = "solutions/" + id + "/" + name;
+            const auto solved = all.files.find(path);
+            if (solved == all.files.end())
+                throw Error("--with-solutions {}: git keeps no {}", id, path);
+            copy.files[path] = solved->second;
+        }
+    layOver(copy, all, root, included);
+    refuseLeaks(copy, all, known, wish);
+    return copy;
+}
+
+}  // namespace grader

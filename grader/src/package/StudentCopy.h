@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "package/CourseFiles.h"
+
+namespace grader {
+
+/// Which students: those of a course under way may not have everything yet, and have seen some
+/// solutions.
+struct StudentCopyWish {
+    std::string upto;                        ///< the last assignment they get; empty: all
+    std::vector<std::string> withSolutions;  ///< assignments whose solved files they get
+};
+
+/// The course as students get it: without what .gitattributes calls `instructors`, with what is in
+/// students/ laid over it, its README listing the assignments. Throws Error for an assignment that
+/// is not known or not in the copy, and for a text in the copy that gives a solution away.
+CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish);
+
+}  // namespace grader
