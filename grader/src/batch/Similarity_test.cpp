@@ -12,40 +12,40 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 const std::string kOriginal = R"(
-glm::mat3 rotation(float degrees, const glm::vec3& axis) {
-    // Rodrigues
-    const float angle = glm::radians(degrees);
-    const glm::vec3 a = glm::normalize(axis);
-    const float c = std::cos(angle), s = std::sin(angle);
-    return c * glm::mat3(1.0f) + (1 - c) * glm::outerProduct(a, a) + s * crossMatrix(a);
+float spiral(float turns, const glm::vec2& centre) {
+    // Archimedes
+    const float full = turns * 6.2831853f;
+    const glm::vec2 from = centre / glm::length(centre);
+    const float near = std::exp(-full), far = std::sqrt(full);
+    return near * from.x + (1 - near) * glm::dot(from, centre) + far * wobble(from);
 }
-glm::mat3 other(float degrees) {
-    glm::mat3 sum(0.0f);
+float other(float turns) {
+    float sum(0.0f);
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            sum[i][j] = i == j ? std::cos(degrees) : std::sin(degrees) * float(i - j);
-    if (sum[0][0] > 1.0f) { sum[0][0] = 1.0f; }
+        while (sum < turns)
+            sum += i == 2 ? std::exp(turns) : std::sqrt(turns) * float(i + 7);
+    if (sum > 1.0f) { sum = 1.0f - sum * sum; }
     return sum;
 }
 )";
 
 /// The same with other names, numbers, comments and layout.
-const std::string kCopied = R"(glm::mat3 rotation(float w,const glm::vec3&u){
-const float phi=glm::radians(w); /* mine */ const glm::vec3 n=glm::normalize(u);
-const float co=std::cos(phi),si=std::sin(phi);
-return co*glm::mat3(2.0f)+(3-co)*glm::outerProduct(n,n)+si*crossMatrix(n);}
-glm::mat3 helper(float w){glm::mat3 m(0.5f);for(int p=0;p<4;++p)for(int q=0;q<4;++q)
-m[p][q]=p==q?std::cos(w):std::sin(w)*float(p-q);if(m[0][0]>2.0f){m[0][0]=2.0f;}return m;})";
+const std::string kCopied = R"(float spiral(float w,const glm::vec2&u){
+const float phi=w*3.1415f; /* mine */ const glm::vec2 n=u/glm::length(u);
+const float co=std::exp(-phi),si=std::sqrt(phi);
+return co*n.x+(3-co)*glm::dot(n,u)+si*wobble(n);}
+float helper(float w){float m(0.5f);for(int p=0;p<4;++p)while(m<w)
+m+=p==1?std::exp(w):std::sqrt(w)*float(p+5);if(m>2.0f){m=2.0f-m*m;}return m;})";
 
 const std::string kOther = R"(
-glm::mat3 rotation(float degrees, const glm::vec3& axis) {
-    glm::quat q = glm::angleAxis(glm::radians(degrees), axis / glm::length(axis));
-    float x = q.x, y = q.y, z = q.z, w = q.w;
-    glm::mat3 m;
-    m[0] = glm::vec3(1 - 2 * y * y - 2 * z * z, 2 * x * y + 2 * w * z, 2 * x * z - 2 * w * y);
-    m[1] = glm::vec3(2 * x * y - 2 * w * z, 1 - 2 * x * x - 2 * z * z, 2 * y * z + 2 * w * x);
-    m[2] = glm::vec3(2 * x * z + 2 * w * y, 2 * y * z - 2 * w * x, 1 - 2 * x * x - 2 * y * y);
-    return m;
+float spiral(float turns, const glm::vec2& centre) {
+    glm::vec4 row = glm::fract(glm::vec4(turns, turns / 2, turns / 3, centre.x / centre.y));
+    float x = row.x, y = row.y, z = row.z, w = row.w;
+    float sum = 0;
+    sum += x < y ? glm::mix(x, z, 0.5f) - 2 * w * w : glm::step(z, 2 * x * y) + w;
+    sum += y < z ? glm::mix(y, w, 0.2f) - 2 * x * w : glm::step(w, 2 * y * z) + x;
+    sum += z < w ? glm::mix(z, x, 0.3f) - 2 * x * y : glm::step(x, 2 * z * w) + y;
+    return sum;
 }
 )";
 
