@@ -57,7 +57,7 @@ target_link_libraries(grader_sample_report PRIVATE grader_core course_warnings)
 add_executable(grader_sample_class testing/SampleClass.cpp)
 target_include_directories(grader_sample_class PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(grader_sample_class PRIVATE grader_batch course_warnings)
-if(EXISTS ${PROJECT_SOURCE_DIR}/solutions)
+if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests)
     add_test(NAME report.browser COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests/run.js
         $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>
         $<TARGET_FILE:grader_sample_class>)

@@ -25,7 +25,7 @@ new_case() {
     case="$work/$1"
     checkout="$case/a checkout"
     browser_tests="$checkout/grader/browser_tests"
-    mkdir -p "$case/bin" "$case/dpkg" "$checkout/build" "$browser_tests"
+    mkdir -p "$case/bin" "$case/dpkg" "$checkout/build" "$browser_tests" "$checkout/grader/tests"
     touch -d '2021-01-01' "$browser_tests/package-lock.json"
     cp -r "$repository/grade" "$repository/test" "$repository/scripts" "$repository/.ci" "$checkout"
     local tool
@@ -206,6 +206,15 @@ expect_no_call ctest
 new_case students_need_no_browser
 run "$checkout" ./grade
 expect_code 0
+expect_no_call npm
+
+new_case the_students_copy_has_no_tests_of_browsers_and_clusters
+rm -r "$checkout/grader"
+echo 0 > "$case/uid"
+printf 'chromium\nclang\nmunge\nnodejs\nxvfb\n' > "$case/absent"
+run "$checkout" ./test
+expect_code 8
+expect_call "apt-get -q install -y --no-install-recommends xvfb"
 expect_no_call npm
 
 new_case npm_comes_with_node_or_as_a_package
