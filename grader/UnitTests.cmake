@@ -62,6 +62,9 @@ if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests)
         $<TARGET_FILE:grader> $<TARGET_FILE:grader_sample_report>
         $<TARGET_FILE:grader_sample_class>)
     set_tests_properties(report.browser PROPERTIES TIMEOUT 600 RUN_SERIAL TRUE)
+    # The workflows of .github, by the same Node.
+    add_test(NAME workflows.lint COMMAND
+        node ${CMAKE_CURRENT_SOURCE_DIR}/browser_tests/workflows.js ${PROJECT_SOURCE_DIR})
 endif()
 
 # The scoring rule on pictures whose worth is known; it prints the table of docs/scoring.md.

@@ -13,6 +13,7 @@
 #include "commands/ExportCommand.h"
 #include "commands/GradeCommand.h"
 #include "commands/PackageCommand.h"
+#include "commands/PullRequestCommand.h"
 
 namespace {
 
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
     grader::addPackageStudentsCommand(app, exitCode);
+    grader::addPullRequestCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {

@@ -8,18 +8,15 @@
 #include <vector>
 
 #include "Error.h"
-#include "Process.h"
+#include "Git.h"
 
 namespace grader {
 
 namespace {
 
-constexpr double kGitSeconds = 60;
-
-std::string git(const fs::path& root, const std::vector<std::string>& arguments) {
-    std::vector<std::string> command = {"git", "-C", root.string()};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    const ProcessResult ran = run(command, kGitSeconds, 16u << 20);
+/// What git says about the course; throws Error where it says no.
+std::string asked(const fs::path& root, const std::vector<std::string>& arguments) {
+    const ProcessResult ran = git(root, arguments);
     if (!ran.succeeded())
         throw Error(
             "{}: a package is made of what git keeps, and git says: {}Make it a repository "
@@ -28,19 +25,10 @@ std::string git(const fs::path& root, const std::vector<std::string>& arguments)
     return ran.output;
 }
 
-/// The parts of a text that zero bytes end.
-std::vector<std::string> partsOf(const std::string& text) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0, end; (end = text.find('\0', from)) != std::string::npos;
-         from = end + 1)
-        parts.push_back(text.substr(from, end - from));
-    return parts;
-}
-
 void refuseUncommitted(const fs::path& root) {
     std::string changed;
     for (const std::string& line :
-         partsOf(git(root, {"status", "--porcelain", "-z", "--untracked-files=no", "--", "."})))
+         zeroEnded(asked(root, {"status", "--porcelain", "-z", "--untracked-files=no", "--", "."})))
         if (line.size() > 3)
             changed += "\n  " + line.substr(3);
     if (!changed.empty())
@@ -86,12 +74,12 @@ void CourseFiles::remove(const std::string& path) {
 CourseFiles committedFiles(const fs::path& root, const std::string& without) {
     refuseUncommitted(root);
     CourseFiles course;
-    course.commit = git(root, {"rev-parse", "HEAD"}).substr(0, 40);
-    course.seconds = std::stoll(git(root, {"show", "-s", "--format=%ct", "HEAD"}));
+    course.commit = asked(root, {"rev-parse", "HEAD"}).substr(0, 40);
+    course.seconds = std::stoll(asked(root, {"show", "-s", "--format=%ct", "HEAD"}));
     std::vector<std::string> list = {"ls-files", "-z", "--", "."};
     if (!without.empty())
         list.push_back(fmt::format(":(exclude,attr:{})", without));
-    for (const std::string& path : partsOf(git(root, list))) {
+    for (const std::string& path : zeroEnded(asked(root, list))) {
         const fs::path file = root / path;
         if (!fs::is_regular_file(fs::symlink_status(file)))
             throw Error("{}: expected a file; a package takes no link and no repository within",

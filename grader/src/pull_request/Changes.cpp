@@ -1,0 +1,170 @@
+#include "pull_request/Changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "Collect.h"
+#include "Error.h"
+#include "Git.h"
+
+namespace grader {
+
+namespace {
+
+constexpr std::size_t kMostListed = 1u << 20;  // bytes of git's list of changes
+constexpr std::size_t kMostUnused = 1000;
+
+void refuseOddName(const std::string& commit) {
+    const bool hexadecimal = commit.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!hexadecimal || (commit.size() != 40 && commit.size() != 64))
+        throw Error("commit \"{}\": expected its full name, 40 hexadecimal digits", commit);
+}
+
+void refuseAbsent(const PullRequest& request) {
+    for (const std::string& commit : {request.base, request.head}) {
+        refuseOddName(commit);
+        const ProcessResult ran = git(request.repository, {"cat-file", "-e", commit + "^{commit}"});
+        if (!ran.succeeded())
+            throw Error(
+                "{} has no commit {}: fetch it first (git fetch origin pull/NUMBER/head)\n{}",
+                request.repository.string(), commit, ran.output);
+    }
+}
+
+/// Where the branch left the base's; the base itself where they have nothing in common.
+std::string originOf(const PullRequest& request) {
+    const ProcessResult ran = git(request.repository, {"merge-base", request.base, request.head});
+    return ran.succeeded() ? ran.output.substr(0, ran.output.find('\n')) : request.base;
+}
+
+/// Path → assignment, for every file that students hand in.
+std::map<std::string, std::string> submitPaths(const std::vector<Manifest>& course) {
+    std::map<std::string, std::string> paths;
+    for (const Manifest& each : course)
+        for (const std::string& file : each.submit)
+            paths[pathOf(each.id, file)] = each.id;
+    return paths;
+}
+
+std::vector<std::string> keysOf(const std::map<std::string, std::string>& map) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : map)
+        keys.push_back(key);
+    return keys;
+}
+
+/// git diff-tree's "-z --name-status": a letter (and how alike), then one path, or two of a rename.
+struct Entry {
+    char letter = '?';
+    std::string path, renamedTo;
+};
+
+std::vector<Entry> entriesOf(const std::string& output) {
+    std::vector<Entry> entries;
+    const auto parts = zeroEnded(output);
+    for (std::size_t i = 0; i + 1 < parts.size();) {
+        Entry entry{parts[i].empty() ? '?' : parts[i][0], parts[i + 1], ""};
+        i += 2;
+        if ((entry.letter == 'R' || entry.letter == 'C') && i < parts.size())
+            entry.renamedTo = parts[i++];
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+/// What the head's branch changed, below `paths` or anywhere. Cut where the list is too long.
+std::vector<Entry> differences(const PullRequest& request, const std::string& origin,
+                               const std::vector<std::string>& options,
+                               const std::vector<std::string>& paths, bool& cut) {
+    std::vector<std::string> command = {"diff-tree",     "-r",           "-z", "--name-status",
+                                        "--no-ext-diff", "--no-textconv"};
+    command.insert(command.end(), options.begin(), options.end());
+    command.insert(command.end(), {origin, request.head, "--"});
+    command.insert(command.end(), paths.begin(), paths.end());
+    const ProcessResult ran = git(request.repository, command, kMostListed);
+    cut = ran.output.size() >= kMostListed;
+    if (!ran.succeeded() && !cut)
+        throw Error("{}: git cannot compare {} with {}: {}", request.repository.string(), origin,
+                    request.head, ran.output);
+    return entriesOf(ran.output);
+}
+
+}  // namespace
+
+std::string pathOf(const std::string& assignment, const std::string& file) {
+    return "assignments/" + assignment + "/" + file;
+}
+
+Changes changesOf(const PullRequest& request, const std::vector<Manifest>& course) {
+    refuseAbsent(request);
+    const std::string origin = originOf(request);
+    const auto submit = submitPaths(course);
+    Changes changes;
+    bool cut = false;
+    std::set<std::string> changed;
+    for (const Entry& each : differences(request, origin, {}, keysOf(submit), cut))
+        changed.insert(submit.at(each.path));
+    changes.assignments.assign(changed.begin(), changed.end());
+
+    for (const Entry& each : differences(request, origin, {"-M"}, {}, changes.unusedCut)) {
+        const bool ours = submit.contains(each.path);
+        if (ours && each.letter == 'R')
+            changes.notices.push_back(
+                fmt::format("{} was renamed to {}: it is read only under its old name", each.path,
+                            each.renamedTo));
+        else if (ours && each.letter == 'D')
+            changes.notices.push_back(fmt::format("{} was deleted", each.path));
+        const std::string& path = each.renamedTo.empty() ? each.path : each.renamedTo;
+        if (submit.contains(path))
+            continue;
+        if (changes.unused.size() < kMostUnused)
+            changes.unused.push_back(path);
+        else
+            changes.unusedCut = true;
+    }
+    return changes;
+}
+
+std::vector<std::string> takeFiles(const PullRequest& request, const std::vector<Manifest>& course,
+                                   const fs::path& folder) {
+    const auto submit = submitPaths(course);
+    std::vector<std::string> command = {"ls-tree", "-r", "-l", "-z", request.head, "--"};
+    for (const std::string& path : keysOf(submit))
+        command.push_back(path);
+    const ProcessResult list = git(request.repository, command);
+    if (!list.succeeded())
+        throw Error("{}: git cannot list {}: {}", request.repository.string(), request.head,
+                    list.output);
+    std::vector<std::string> notices;
+    for (const std::string& line : zeroEnded(list.output)) {
+        std::istringstream fields(line.substr(0, line.find('\t')));
+        const std::string path = line.substr(line.find('\t') + 1);
+        std::string mode, type, object, size;
+        fields >> mode >> type >> object >> size;
+        if (!submit.contains(path))
+            continue;
+        if (mode != "100644" && mode != "100755") {
+            notices.push_back(path + " is no regular file and was not taken");
+            continue;
+        }
+        if (std::stoull(size) > kLargestFile) {
+            notices.push_back(
+                fmt::format("{} has more than {} MiB and was not taken", path, kLargestFile >> 20));
+            continue;
+        }
+        const ProcessResult content = git(request.repository, {"cat-file", "blob", object});
+        if (!content.succeeded())
+            throw Error("{}: git cannot read {}: {}", request.repository.string(), path,
+                        content.output);
+        const fs::path target = folder / submit.at(path) / fs::path(path).filename();
+        fs::create_directories(target.parent_path());
+        writeFile(target, content.output);
+    }
+    return notices;
+}
+
+}  // namespace grader

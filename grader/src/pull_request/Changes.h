@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Files.h"
+#include "Manifest.h"
+
+namespace grader {
+
+/// A pull request: two commits of one repository, which has both.
+struct PullRequest {
+    fs::path repository;  ///< a checkout or a bare repository
+    std::string base;     ///< the commit whose grader grades
+    std::string head;     ///< the commit that a student wants merged; it is never checked out
+};
+
+/// What a pull request changes, counted from where its branch left the base's.
+struct Changes {
+    std::vector<std::string> assignments;  ///< those with a changed `submit` file, in order
+    std::vector<std::string> unused;       ///< changed paths that are no `submit` file
+    bool unusedCut = false;                ///< there are more than can be listed
+    std::vector<std::string> notices;  ///< renamed and deleted `submit` files, one sentence each
+};
+
+/// Throws Error where a commit is not in the repository, or is no full name of one (40 or 64
+/// hexadecimal digits).
+Changes changesOf(const PullRequest& request, const std::vector<Manifest>& course);
+
+/// Writes the `submit` files of all assignments, as they are at the head, into one folder for each
+/// assignment below `folder`. Anything but a regular file of at most kLargestFile bytes is left out
+/// and named: one sentence each is returned.
+std::vector<std::string> takeFiles(const PullRequest& request, const std::vector<Manifest>& course,
+                                   const fs::path& folder);
+
+/// assignments/NN-name/FILE: where a student's file is in the repository.
+std::string pathOf(const std::string& assignment, const std::string& file);
+
+}  // namespace grader
