@@ -15,6 +15,7 @@ namespace grader {
 
 namespace {
 
+constexpr const char* kAssignments = "assignments/";
 constexpr std::size_t kMostListed = 1u << 20;  // bytes of git's list of changes
 constexpr std::size_t kMostUnused = 1000;
 
@@ -96,7 +97,7 @@ std::vector<Entry> differences(const PullRequest& request, const std::string& or
 }  // namespace
 
 std::string pathOf(const std::string& assignment, const std::string& file) {
-    return "assignments/" + assignment + "/" + file;
+    return kAssignments + assignment + "/" + file;
 }
 
 Changes changesOf(const PullRequest& request, const std::vector<Manifest>& course) {
@@ -160,7 +161,7 @@ std::vector<std::string> takeFiles(const PullRequest& request, const std::vector
         if (!content.succeeded())
             throw Error("{}: git cannot read {}: {}", request.repository.string(), path,
                         content.output);
-        const fs::path target = folder / submit.at(path) / fs::path(path).filename();
+        const fs::path target = folder / path.substr(std::string(kAssignments).size());
         fs::create_directories(target.parent_path());
         writeFile(target, content.output);
     }

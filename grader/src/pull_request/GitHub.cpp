@@ -125,10 +125,11 @@ private:
     std::string lines_;
 };
 
-/// The student's file of that name: in the assignment's folder, or where it is inherited from.
+/// The student's file of that name, relative to `files`: in the assignment's folder, or in that of
+/// the one which it is inherited from. Empty for any other.
 fs::path studentFile(const fs::path& files, const std::string& assignment,
                      const std::string& name) {
-    if (name.empty() || name.find('/') != std::string::npos)
+    if (name.empty() || fs::path(name).is_absolute() || name.find("..") != std::string::npos)
         return {};
     if (fs::exists(files / assignment / name))
         return fs::path(assignment) / name;
@@ -155,12 +156,12 @@ std::string regionProperties(const fs::path& files, const std::string& assignmen
     const fs::path folder = files / assignment;
     if (!fs::is_directory(folder))
         return "";
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string text = readFile(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string text = entry.is_regular_file() ? readFile(entry.path()) : "";
         const std::size_t at = text.find("BEGIN TODO(" + task + ")");
         if (at != std::string::npos)
             return placeProperties(
-                fs::path(assignment) / entry.path().filename(),
+                fs::relative(entry.path(), files),
                 1 + static_cast<int>(std::count(
                         text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
                 0);
@@ -206,7 +207,8 @@ std::string annotationsOf(const PullRequestResult& graded, const fs::path& files
                                "title=does not compile",
                            each.message);
         for (const TaskResult& task : result.tasks) {
-            if (task.points >= task.maxPoints || result.status != "graded")
+            if (task.status == Status::pass || task.status == Status::pending ||
+                result.status != "graded")
                 continue;
             Kind& kind = task.status == Status::notImplemented ? notices : warnings;
             const std::string hint = hintOf(task);

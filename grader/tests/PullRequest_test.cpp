@@ -1,0 +1,253 @@
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+
+#include "Lab.h"
+
+/// Pull requests against a bare repository, graded by the very script that GitHub's action runs, in
+/// a checkout of the base, with GitHub's environment files.
+namespace {
+
+using namespace grader;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kRotation = "assignments/06-rotation/rotation.cpp";
+
+struct Answer {
+    int exitCode = -1;
+    std::string log, summary, outputs;
+    fs::path report;
+};
+
+class PullRequestTest : public testing::Test {
+protected:
+    PullRequestTest() {
+        sh("git init -q --bare -b main hub.git && git clone -q hub.git student 2> /dev/null");
+        fs::create_directories(student() / "assignments");
+        for (const char* id : {"06-rotation", "07-camera"})
+            fs::copy(lab::root() / "assignments" / id, student() / "assignments" / id,
+                     fs::copy_options::recursive);
+        write("grader/README", "the grader");
+        commit("the course", "HEAD:main");
+        sh("git clone -q hub.git base");
+        sh("git -C student checkout -q -b work");
+    }
+
+    fs::path student() const { return work_.path() / "student"; }
+    static std::string solved(const std::string& path) {
+        return readFile(lab::root() / "solutions" /
+                        path.substr(std::string("assignments/").size()));
+    }
+    void write(const std::string& path, const std::string& content) {
+        fs::create_directories((student() / path).parent_path());
+        writeFile(student() / path, content);
+    }
+    /// Runs a line of shell in the test's folder.
+    void sh(const std::string& line) {
+        const ProcessResult ran =
+            run({"env", "GIT_CONFIG_GLOBAL=/dev/null", "GIT_AUTHOR_NAME=A student",
+                 "GIT_AUTHOR_EMAIL=student@example.org", "GIT_COMMITTER_NAME=A student",
+                 "GIT_COMMITTER_EMAIL=student@example.org", "sh", "-c",
+                 "cd '" + work_.path().string() + "' && " + line},
+                60);
+        ASSERT_TRUE(ran.succeeded()) << line << "\n" << ran.output;
+    }
+    /// Commits all that is there and pushes it to a name in the bare repository.
+    void commit(const std::string& message, const std::string& to) {
+        sh("cd student && git add -A && git commit -q --allow-empty -m '" + message +
+           "' && git push -q origin " + to);
+    }
+    std::string commitOf(const std::string& folder, const std::string& name) {
+        return run({"git", "-C", (work_.path() / folder).string(), "rev-parse", name}, 10)
+            .output.substr(0, 40);
+    }
+    /// Opens pull request 7 with what the student's folder has, and grades it as GitHub would.
+    Answer grade(const std::string& environment = "") {
+        commit("my work", "+HEAD:refs/pull/7/head");
+        return graded(commitOf("student", "HEAD"), environment);
+    }
+    Answer graded(const std::string& head, const std::string& environment = "") {
+        const Json event = {{"action", "synchronize"},
+                            {"pull_request",
+                             {{"number", 7},
+                              {"title", "`touch /tmp/owned` $(touch /tmp/owned)"},
+                              {"base", {{"sha", commitOf("base", "HEAD")}}},
+                              {"head", {{"sha", head}, {"ref", "$(touch /tmp/owned)"}}}}}};
+        const fs::path folder = work_.path();
+        writeFile(folder / "event.json", event.dump());
+        const std::string line = fmt::format(
+            "cd '{0}/base' && env -i PATH=\"$PATH\" HOME='{0}' CI=true GITHUB_ACTIONS=true "
+            "GITHUB_EVENT_PATH='{0}/event.json' GITHUB_STEP_SUMMARY='{0}/summary' "
+            "GITHUB_OUTPUT='{0}/outputs' REPORT='{0}/report' {1} "
+            "'{2}/.github/actions/grade/grade.sh' '{3}'",
+            folder.string(), environment, lab::root().string(), COURSE_GRADER);
+        const ProcessResult ran = run({"sh", "-c", line}, 120);
+        const auto text = [&](const char* name) {
+            return fs::exists(folder / name) ? readFile(folder / name) : "";
+        };
+        return {ran.exitCode, ran.output, text("summary"), text("outputs"), folder / "report"};
+    }
+
+    WorkFolder work_;
+};
+
+TEST_F(PullRequestTest, SolvedPassesAndTheHeadIsNeverCheckedOut) {
+    write(kRotation, solved(kRotation));
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, HasSubstr("## 06-rotation Rotation: 100 / 100"));
+    EXPECT_THAT(answer.summary, Not(HasSubstr("07-camera")));
+    EXPECT_EQ(answer.outputs, "points=100\nmax-points=100\npassed=true\n");
+    EXPECT_TRUE(fs::exists(answer.report / "index.html"));
+    EXPECT_THAT(readFile(work_.path() / "base" / kRotation), Not(HasSubstr("outerProduct(")));
+    EXPECT_EQ(commitOf("base", "HEAD"), commitOf("base", "main"));
+}
+
+TEST_F(PullRequestTest, TheShareToPassIsConfigurable) {
+    std::string half = solved(kRotation);
+    const std::size_t at = half.find("// BEGIN TODO(rotation)");
+    half.insert(half.find('\n', at) + 1, "    return glm::mat3(1.0f);\n");
+    write(kRotation, half);
+    const Answer strict = grade("PASS_FROM=60");
+    EXPECT_EQ(strict.exitCode, 1) << strict.log;
+    EXPECT_THAT(strict.summary, HasSubstr("Not passed yet; the check passes from 60 points on"));
+    EXPECT_THAT(strict.outputs, HasSubstr("passed=false"));
+    // What was lost is said at the line of the student's TODO region.
+    const auto line = 1 + std::count(half.begin(), half.begin() + static_cast<long>(at), '\n');
+    EXPECT_THAT(strict.log,
+                HasSubstr(fmt::format("::warning file={},line={},title=", kRotation, line)));
+    EXPECT_EQ(graded(commitOf("student", "HEAD"), "PASS_FROM=40").exitCode, 0);
+}
+
+TEST_F(PullRequestTest, CompileErrorsAreRemarksAtTheirLines) {
+    write(kRotation, "#include \"rotation.h\"\n\nint oops = \"::error::forged\";\n");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(answer.log,
+                HasSubstr(fmt::format("::error file={},line=3,col=12,title=", kRotation)));
+    EXPECT_THAT(answer.summary,
+                HasSubstr("The first compile error:\n\n```text\nrotation.cpp:3:12"));
+}
+
+TEST_F(PullRequestTest, EditedGraderTestsAndWorkflowsHaveNoEffectAndAreNamed) {
+    write("grader/README", "a better one");
+    write(".github/workflows/grade.yml", "on: push\njobs: {}\n");
+    write(".github/actions/grade/grade.sh", "#!/bin/sh\nexit 0\n");
+    write("assignments/06-rotation/tests/CrossMatrix_test.cpp", "// none\n");
+    write("assignments/06-rotation/assignment.json", "{}\n");
+    write("solutions/06-rotation/rotation.cpp", solved(kRotation));
+    write(kRotation, readFile(student() / kRotation) + "// begun\n");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(answer.summary,
+                AllOf(HasSubstr("06-rotation Rotation: 0 / 100"), HasSubstr("### Not used"),
+                      HasSubstr("* `grader/README`"), HasSubstr("* `.github/workflows/grade.yml`"),
+                      HasSubstr("* `assignments/06-rotation/tests/CrossMatrix_test.cpp`")));
+    EXPECT_THAT(answer.log, HasSubstr("::notice title=not used::6 changed files"));
+}
+
+TEST_F(PullRequestTest, OfNothingToGradeTheSummarySaysSo) {
+    write("notes.txt", "hello");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("Nothing to grade"), HasSubstr("* `notes.txt`")));
+    EXPECT_EQ(answer.outputs, "points=0\nmax-points=0\npassed=true\n");
+    EXPECT_FALSE(fs::exists(answer.report));
+}
+
+TEST_F(PullRequestTest, AnEmptyPullRequestIsNothingToGrade) {
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("Nothing to grade"), Not(HasSubstr("Not used"))));
+}
+
+TEST_F(PullRequestTest, TwoAssignmentsTheOneTakesTheOthersFile) {
+    write(kRotation, solved(kRotation));
+    for (const char* name : {"Camera.h", "Camera.cpp", "shaders/transformed_normal.vert"})
+        write(fmt::format("assignments/07-camera/{}", name),
+              solved(fmt::format("assignments/07-camera/{}", name)));
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary,
+                AllOf(HasSubstr("06-rotation Rotation: 100 / 100"), HasSubstr("07-camera")));
+    EXPECT_THAT(answer.outputs, HasSubstr("points=200\nmax-points=200"));
+}
+
+TEST_F(PullRequestTest, ARenamedFileIsNotReadAndThatIsSaid) {
+    sh("cd student && git mv " + std::string(kRotation) + " assignments/06-rotation/Rotation.cpp");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("was renamed to"), HasSubstr("0 / 100")));
+}
+
+TEST_F(PullRequestTest, LinksAndGiantFilesAreNotTaken) {
+    fs::remove(student() / kRotation);
+    fs::create_symlink("/etc/passwd", student() / kRotation);
+    write("assignments/07-camera/Camera.cpp", std::string(5u << 20, 'x'));
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(answer.summary,
+                AllOf(HasSubstr("is no regular file and was not taken"),
+                      HasSubstr("has more than 4 MiB and was not taken"), Not(HasSubstr("root:"))));
+}
+
+TEST_F(PullRequestTest, AForkWithUnrelatedHistoryIsGraded) {
+    sh("rm -rf student/.git && cd student && git init -q -b work && git remote add origin "
+       "../hub.git");
+    write(kRotation, solved(kRotation));
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, HasSubstr("06-rotation Rotation: 100 / 100"));
+}
+
+TEST_F(PullRequestTest, NamesOfAnyLetterAndHugeNumbersOfFilesAreListedShort) {
+    for (int i = 0; i < 1500; ++i)
+        write(fmt::format("my notes/größe `<b>{}.txt", i), "x");
+    write("a\nb::error::forged", "x");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("größe"), HasSubstr("and many more")));
+    EXPECT_LT(answer.summary.size(), 10000u);
+    EXPECT_THAT(answer.log, Not(HasSubstr("\nb::error")));
+}
+
+TEST_F(PullRequestTest, WhatAStudentPrintsIsNeitherACommandNorMarkup) {
+    std::string loud = solved(kRotation);
+    const std::size_t at = loud.find('\n', loud.find("// BEGIN TODO(cross-matrix)"));
+    loud.insert(
+        at + 1,
+        "    for (int i = 0; i < 100000; ++i)\n"
+        "        std::puts(\"::error::forged\\n::add-mask::a\\n```\\n# forged\\n| <img>\");\n");
+    write(kRotation, "#include <cstdio>\n" + loud);
+    const Answer answer = grade("PASS_FROM=80");
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_LT(answer.summary.size(), 100000u);
+    EXPECT_THAT(answer.summary, AllOf(Not(HasSubstr("\n# forged")), Not(HasSubstr("<img>"))));
+    // Between the word that stops commands and the same word again, nothing is one.
+    const std::string start = "::stop-commands::";
+    const std::size_t from = answer.log.find(start);
+    ASSERT_NE(from, std::string::npos) << answer.log;
+    const std::string word = answer.log.substr(from + start.size(), 28);
+    const std::size_t to = answer.log.find("::" + word + "::", from + start.size());
+    ASSERT_NE(to, std::string::npos) << answer.log;
+    EXPECT_THAT(answer.log.substr(0, from) + answer.log.substr(to),
+                AllOf(Not(HasSubstr("\n::error::forged")), Not(HasSubstr("::add-mask"))));
+}
+
+TEST_F(PullRequestTest, ACommitThatIsGoneOrNoPullRequestIsAClearError) {
+    write(kRotation, solved(kRotation));
+    commit("my work", "+HEAD:refs/pull/7/head");
+    const Answer answer = graded(std::string(40, 'a'));
+    EXPECT_EQ(answer.exitCode, 2);
+    EXPECT_THAT(answer.log, HasSubstr("has moved on from aaaa"));
+    const lab::Graded none = lab::runGrader({"pull-request", "--event", "/dev/null"});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.text, HasSubstr("expected the event of a pull request"));
+    const lab::Graded odd =
+        lab::runGrader({"pull-request", "--base", "--output=x", "--head", "main"});
+    EXPECT_EQ(odd.exitCode, 2);
+}
+
+}  // namespace
