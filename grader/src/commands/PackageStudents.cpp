@@ -12,14 +12,15 @@ namespace grader {
 namespace {
 
 struct Options {
-    std::string out;
+    std::string out, from;
     StudentCopyWish wish;
 };
 
 int packageStudents(const Options& options) {
-    const CourseFiles copy = studentCopy(Toolchain::load().root, options.wish);
+    const fs::path root = options.from.empty() ? Toolchain::load().root : fs::path(options.from);
+    const CourseFiles copy = studentCopy(root, options.wish);
     const fs::path out = options.out;
-    if (out.has_extension() && (out.extension() == ".zip" || out.extension() == ".tar"))
+    if (out.extension() == ".zip" || out.extension() == ".tar")
         writeArchive(copy, out);
     else
         writeTree(copy, out);
@@ -40,6 +41,8 @@ void addPackageStudentsCommand(CLI::App& app, int& exitCode) {
         ->add_option("out", options.out,
                      "an empty or new folder, or a file that ends with .zip or .tar")
         ->required();
+    command->add_option("--from", options.from,
+                        "the course's repository; default the one that this grader was built in");
     command->add_option("--upto", options.wish.upto,
                         "the last assignment that students have by now; default all");
     command->add_option("--with-solutions", options.wish.withSolutions,

@@ -12,7 +12,7 @@ namespace grader {
 namespace {
 
 constexpr std::size_t kMostUnusedShown = 20;
-constexpr std::size_t kMostChecksShown = 8;  // of one task
+constexpr std::size_t kMostChecksShown = 3;  // of one task; the report has all
 constexpr int kMostAnnotations = 10;         // of each kind
 
 const Diagnostic* firstError(const AssignmentResult& result) {
@@ -39,18 +39,26 @@ std::string hintOf(const TaskResult& task) {
     return "";
 }
 
+/// Where nothing is there yet, or nothing compiles, one sentence serves for all checks.
+bool sameForAll(const TaskResult& task) {
+    return task.status == Status::notImplemented || task.status == Status::buildError;
+}
+
 std::string lossesInCell(const TaskResult& task) {
     std::string cell;
     if (task.recognised)
         cell = "→ " + escapedMarkdown(task.recognised->says) + "<br>";
-    std::size_t shown = 0;
+    std::size_t lost = 0;
     for (const CheckResult& check : task.checks) {
-        if (check.full() || shown == kMostChecksShown)
+        if (check.full())
             continue;
-        cell += escapedMarkdown(fmt::format("{}: {}", check.title, check.message)) + "<br>";
-        // Where nothing is there yet, one sentence serves for all checks.
-        shown = task.status == Status::notImplemented ? kMostChecksShown : shown + 1;
+        if (sameForAll(task))
+            return escapedMarkdown(check.message);
+        if (++lost <= kMostChecksShown)
+            cell += escapedMarkdown(fmt::format("{}: {}", check.title, check.message)) + "<br>";
     }
+    if (lost > kMostChecksShown)
+        cell += fmt::format("and {} more<br>", lost - kMostChecksShown);
     if (const std::string hint = hintOf(task); !hint.empty())
         cell += "*Hint:* " + escapedMarkdown(hint);
     return cell;
@@ -83,7 +91,7 @@ std::string sectionOf(const AssignmentResult& result, double passFrom) {
         result.points() >= needed ? "Passed; the check passes" : "Not passed yet; the check passes",
         showPoints(needed));
     text += errorSection(result);
-    text += "| | task | points | |\n|---|---|---|---|\n";
+    text += "| | task | points | what was lost |\n|---|---|---|---|\n";
     for (const TaskResult& task : result.tasks)
         text += fmt::format("| {} | {} | {} | {} |\n", symbolOf(task.status),
                             escapedMarkdown(task.title), scoreText(task.points, task.maxPoints),
@@ -223,8 +231,12 @@ std::string annotationsOf(const PullRequestResult& graded, const fs::path& files
         notices.add("title=not taken", each);
     if (!graded.changes.unused.empty())
         notices.add("title=not used",
-                    fmt::format("{} changed files are not handed in and had no effect, such as {}",
-                                graded.changes.unused.size(), graded.changes.unused.front()));
+                    fmt::format("changes to {} have no effect on the result{}",
+                                graded.changes.unused.front(),
+                                graded.changes.unused.size() == 1
+                                    ? ""
+                                    : fmt::format(", nor those to {} other files",
+                                                  graded.changes.unused.size() - 1)));
     return errors.lines() + warnings.lines() + notices.lines();
 }
 

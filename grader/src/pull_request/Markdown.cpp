@@ -40,13 +40,16 @@ std::string escapedMarkdown(const std::string& text, std::size_t most) {
             escaped += "&gt;";
         else if (c == '@')
             escaped += "&#64;";  // or somebody of that name would be told
-        else if (c == ':')
-            escaped += "&#58;";  // or an address would become a link
-        else if (std::string("\\`*_{}[]()#+-.!|~$").find(c) != std::string::npos)
+        else if (std::string("\\`*_{}[]#|~$!").find(c) != std::string::npos)
             escaped += std::string("\\") + c;
+        else if (escaped.empty() && std::string("-+=").find(c) != std::string::npos)
+            escaped += std::string("\\") + c;  // no list in a list
         else
             escaped += c;
     }
+    // Addresses become links by themselves.
+    replaceAll(escaped, "://", "&#58;//");
+    replaceAll(escaped, "www.", "www&#46;");
     return escaped;
 }
 
