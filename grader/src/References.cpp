@@ -90,11 +90,15 @@ Pictures loadReferences(const Toolchain& tools, const Manifest& manifest) {
     return pictures;
 }
 
+bool canDrawReferences(const fs::path& root, const std::string& assignment) {
+    return fs::exists(root / "solutions" / assignment / "mistakes.json");
+}
+
 Pictures drawReferences(const Grader& grader, const Manifest& manifest, std::uint64_t seed) {
-    if (!fs::exists(grader.tools().root / "solutions" / manifest.id))
+    if (!canDrawReferences(grader.tools().root, manifest.id))
         throw Error(
-            "seed {} needs solutions/{}, which is not here: only seed {} has stored "
-            "references",
+            "seed {} needs solutions/{} with its mistakes, which are not here: only seed {} has "
+            "stored references",
             seed, manifest.id, kPublishedSeed);
     Pictures pictures;
     auto solved = grader.draw(manifest, grader.stageOf(manifest, "solutions"), seed);

@@ -65,7 +65,7 @@ std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::
     std::uint64_t seed = kPublishedSeed;
     if (options.seed || kept)
         seed = options.seed.value_or(*kept);
-    else if (fs::is_directory(tools.root / "solutions" / options.assignment))
+    else if (canDrawReferences(tools.root, options.assignment))
         seed = std::random_device()();
     writeFile(
         file,
