@@ -4,6 +4,7 @@
 #include <numeric>
 #include <thread>
 
+#include "BuildId.h"
 #include "Error.h"
 #include "batch/Replay.h"
 #include "report/HtmlReport.h"
@@ -283,9 +284,9 @@ std::string keyOfRules(const Toolchain& tools, const Sandbox& sandbox, const Man
                        std::uint64_t seed) {
     std::string text;
     for (const std::string& each :
-         {sha256(readFile("/proc/self/exe")), tools.kitFingerprint, tools.compilerVersion,
+         {identityOf("/proc/self/exe"), tools.kitFingerprint, tools.compilerVersion,
           tools.glmVersion, sandbox.name(), cpuModel(), std::to_string(seed),
-          sha256(readFile(tools.judge(manifest.id))), hashOfFolder(manifest.folder),
+          identityOf(tools.judge(manifest.id)), hashOfFolder(manifest.folder),
           hashOfFolder(tools.root / "reference_images" / manifest.id),
           hashOfFolder(tools.root / "solutions" / manifest.id)})
         text += each + "\n";
