@@ -1,6 +1,7 @@
 // Makes a class to grade: submissions of one assignment from its solution, variants, starter and
-// known mistakes, each edited a little at random, so that no two are the same text. The same number
-// gives the same class everywhere.
+// known mistakes, each edited a little at random, so that no two are the same text, and no two
+// sources the same program. Of four headers three differ by comments alone. The same number gives
+// the same class everywhere.
 //
 //     class_maker ASSIGNMENT COUNT SEED OUT [--canvas]
 //
@@ -52,7 +53,7 @@ public:
                     withRegion(files[mistake.file], mistake.region, mistake.body).value();
             }
         for (auto& [name, text] : files)
-            text = edited(text, number);
+            text = edited(name, text, number);
         return files;
     }
 
@@ -73,8 +74,9 @@ private:
         return files;
     }
 
-    /// Comments behind a line in twenty that ends a statement, and another one on top.
-    std::string edited(const std::string& text, std::size_t number) {
+    /// Comments behind a line in twenty that ends a statement, another one on top, and below a
+    /// constant that nobody needs.
+    std::string edited(const std::string& name, const std::string& text, std::size_t number) {
         std::string result = fmt::format("// submission {}\n", number);
         if (text.starts_with("#version"))
             result.clear();
@@ -87,6 +89,12 @@ private:
             result += line;
             at = end;
         }
+        if (name.ends_with(".cpp"))
+            result += fmt::format("[[maybe_unused]] static const int attempt = {};\n", number);
+        else if (name.ends_with(".h") && below(4) == 0)
+            result += fmt::format("inline constexpr int version = {};\n", number);
+        else if (text.starts_with("#version"))
+            result += fmt::format("const int attempt = {};\n", number);
         return result;
     }
 

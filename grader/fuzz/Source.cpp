@@ -8,6 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text = fuzz::textOf(data, size);
     grader::includesOnlyHeaders(text);
+    grader::includedNames(text);
+    grader::withoutComments(text);
     grader::firstInvalidUtf8(text);
     const std::string outside = grader::outsideRegions(text);
     fuzz::require(outside.size() <= text.size(), "taking out adds nothing");

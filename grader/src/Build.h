@@ -36,4 +36,7 @@ private:
     const Sandbox& sandbox_;
 };
 
+/// The seconds after which a build has ended, whatever is built.
+double longestBuild(const AssignmentLimits& limits);
+
 }  // namespace grader

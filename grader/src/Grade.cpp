@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <future>
 
 #include "Error.h"
 #include "JudgeFrames.h"
 #include "Prerequisites.h"
+#include "TimeBox.h"
 #include "recognise/Recognise.h"
 
 namespace grader {
@@ -143,8 +143,7 @@ Grader::StageResult Grader::gradeOnce(const Manifest& manifest, const Stage& sta
         return result;
     }
     const auto observing = Clock::now();
-    auto drawing = std::async(std::launch::async,
-                              [&] { return observer_.drawFrames(manifest, result.build, seed); });
+    auto drawing = alongside([&] { return observer_.drawFrames(manifest, result.build, seed); });
     const auto tests = observer_.runTests(manifest, result.build, seed, job.work.path());
     for (const TestOutcome& test : tests)
         result.checks.push_back(checkOf(manifest, test, tests));
@@ -240,6 +239,23 @@ std::map<std::string, Picture> Grader::draw(const Manifest& manifest, const Stag
         pictures[id] = std::move(outcome.picture);
     }
     return pictures;
+}
+
+double longestGrading(const Manifest& manifest) {
+    const double once = longestBuild(manifest.limits) + longestObservation(manifest);
+    // As it is, with files that do not compile replaced, and once for each task with what it needs
+    // mended, which may mean that each of those is looked at; all of them once more to see whether
+    // a fault is the grader's.
+    double times = 2;
+    for (const Task& task : manifest.tasks)
+        if (!task.needs.empty())
+            times += 1 + static_cast<double>(task.needs.size());
+    times *= 2;
+    // References: from solution, starter, and what lacks a feature.
+    times += 2;
+    for (const Frame& frame : manifest.frames)
+        times += static_cast<double>(frame.features.size());
+    return times * once;
 }
 
 Stage Grader::stageOf(const Manifest& manifest, const std::string& tree) const {

@@ -75,4 +75,8 @@ private:
     mutable std::map<std::string, Signatures> signatures_;  // by assignment
 };
 
+/// The seconds after which grading one submission has ended, whatever it does: the sum of all
+/// limits of its parts. What takes longer is held up by a fault of the grader's or of the machine.
+double longestGrading(const Manifest& manifest);
+
 }  // namespace grader

@@ -8,6 +8,7 @@
 #include "Error.h"
 #include "Fields.h"
 #include "Process.h"
+#include "TimeBox.h"
 #include "subject/Subject.h"
 
 namespace grader {
@@ -202,6 +203,12 @@ protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
     return graphics;
 }
 
+double longestObservation(const Manifest& manifest) {
+    constexpr double kTries = 2, kGraceSeconds = 5;
+    const double frame = manifest.limits.frameSeconds * protocol::kMostStretch + kGraceSeconds;
+    return kTries * kJudgeSeconds + static_cast<double>(manifest.frames.size() + 1) * frame;
+}
+
 Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
                             std::uint64_t seed) const {
     Frames frames;
@@ -223,6 +230,7 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     int late = 0;
     std::set<std::string> lateTasks;
     for (const Frame& frame : manifest.frames) {
+        TimeBox::check();
         const auto tasks = frame.tasks();
         const bool worthTrying =
             std::any_of(tasks.begin(), tasks.end(),

@@ -76,4 +76,7 @@ private:
     Renderer renderer_;
 };
 
+/// The seconds after which tests and frames of a subject have ended, whatever it does.
+double longestObservation(const Manifest& manifest);
+
 }  // namespace grader

@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "Error.h"
+#include "TimeBox.h"
 
 namespace grader {
 
@@ -41,6 +42,7 @@ namespace {
 ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds,
                   std::size_t outputLimit) {
     using namespace std::chrono;
+    TimeBox::check();
     int pipes[2];
     if (pipe2(pipes, O_CLOEXEC) != 0)
         throw Error("no pipe can be opened: {}", std::strerror(errno));
@@ -52,7 +54,8 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
         throw Error("{} cannot be started: {}", command.front(), std::strerror(errno));
 
     ProcessResult result;
-    const auto end = steady_clock::now() + duration<double>(timeoutSeconds);
+    const auto end = std::min<time_point<steady_clock, duration<double>>>(
+        steady_clock::now() + duration<double>(timeoutSeconds), TimeBox::end());
     for (char buffer[16384];;) {
         const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
         pollfd waiting{pipes[0], POLLIN, 0};
@@ -86,6 +89,8 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
         result.signal = WTERMSIG(status);
     else
         result.exitCode = WEXITSTATUS(status);
+    if (result.timedOut)
+        TimeBox::check();
     return result;
 }
 

@@ -15,7 +15,8 @@ struct ProcessResult {
 
 /// Runs a command in a process group of its own and waits for it. After `timeoutSeconds`, or once
 /// it has written more than `outputLimit` bytes, the whole group is killed. Standard input is
-/// empty. A command that cannot be started ends with exit code 127 and says why in `output`.
+/// empty. A command that cannot be started ends with exit code 127 and says why in `output`. Throws
+/// Error when the time of the thread's TimeBox is over; then, too, the group is killed.
 ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds,
                   std::size_t outputLimit = 1 << 20);
 

@@ -42,12 +42,23 @@ Json jsonOf(const Diagnostic& each) {
             {"severity", each.severity}, {"message", each.message}, {"source", each.source}};
 }
 
+/// The unrounded share of a part of the points: what they are counted anew from when the points of
+/// the assignment change.
+void addShare(Json& json, double points, double maxPoints) {
+    if (points > 0 && points < maxPoints)
+        json["share"] = points / maxPoints;
+}
+
 Json jsonOf(const FeatureResult& feature) {
-    return {{"id", feature.id},
-            {"title", feature.title},
-            {"points", rounded(feature.points)},
-            {"max_points", rounded(feature.maxPoints)},
-            {"message", feature.message}};
+    Json json = {{"id", feature.id},
+                 {"title", feature.title},
+                 {"points", rounded(feature.points)},
+                 {"max_points", rounded(feature.maxPoints)},
+                 {"message", feature.message}};
+    addShare(json, feature.points, feature.maxPoints);
+    if (!feature.maskPath.empty())
+        json["mask"] = feature.maskPath;
+    return json;
 }
 
 Json jsonOf(const Comparison& comparison) {
@@ -68,8 +79,14 @@ Json jsonOf(const CheckResult& check) {
                  {"hint", check.hint}};
     if (check.comparison)
         json["comparison"] = jsonOf(*check.comparison);
+    addShare(json, check.points, check.maxPoints);
     for (const FeatureResult& feature : check.features)
         json["features"].push_back(jsonOf(feature));
+    if (check.pictures) {
+        const FrameScore& score = check.pictures->score;
+        json["frame"] = {
+            {"outliers", score.outliers}, {"mean_error", score.meanError}, {"score", score.score}};
+    }
     for (const char* name : {"submission", "reference", "difference"})
         if (const auto path = check.imagePaths.find(name); path != check.imagePaths.end())
             json["images"][name] = path->second;

@@ -27,8 +27,9 @@ struct FramePictures {
 struct FeatureResult {
     std::string id, title;
     double points = 0, maxPoints = 0;
-    std::string message;  ///< one sentence: how near, in which part of the picture
-    Picture mask;         ///< white where the feature shows; empty without pictures
+    std::string message;        ///< one sentence: how near, in which part of the picture
+    Picture mask;               ///< white where the feature shows; empty without pictures
+    std::string maskPath = {};  ///< relative to the report, set once it is written
 };
 
 /// A known mistake that explains what a task lost.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 #include "Error.h"
+#include "ResultDocument.h"
+#include "TimeBox.h"
+#include "batch/Remark.h"
 #include "batch/Replay.h"
 #include "report/HtmlReport.h"
 #include "report/TerminalReport.h"
@@ -12,6 +14,12 @@
 namespace grader {
 
 namespace {
+
+/// A fault of the grader's is tried once more.
+constexpr int kAttempts = 2;
+
+/// What is killed, and what was waiting for it, takes a moment to end.
+constexpr double kLeastGraceSeconds = 5;
 
 /// How much there is to read: what takes long is begun first.
 std::uintmax_t sizeOf(const Entrant& entrant) {
@@ -31,19 +39,6 @@ std::uintmax_t sizeOf(const Entrant& entrant) {
     return sum;
 }
 
-std::string hashOfFolder(const fs::path& folder) {
-    std::string text;
-    std::vector<fs::path> files;
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::recursive_directory_iterator(folder))
-            if (entry.is_regular_file())
-                files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files)
-        text += file.lexically_relative(folder).string() + "\n" + sha256(readFile(file)) + "\n";
-    return sha256(text);
-}
-
 /// What vanished since the batch began must not count as a submission without files.
 void requireThere(const Entrant& entrant) {
     std::vector<fs::path> needed = {entrant.path};
@@ -52,15 +47,6 @@ void requireThere(const Entrant& entrant) {
     for (const fs::path& each : needed)
         if (!fs::exists(each))
             throw Error("{} was there when the batch began, and is gone", each.string());
-}
-
-/// Which commit a repository's HEAD names, however it does.
-std::string hashOfReferences(const fs::path& repository) {
-    std::string text;
-    for (const char* each : {"HEAD", "packed-refs"})
-        if (fs::is_regular_file(fs::symlink_status(repository / each)))
-            text += sha256(readFile(repository / each)) + "\n";
-    return sha256(text + hashOfFolder(repository / "refs"));
 }
 
 /// Where a submission has what may be handed in for an assignment, by name.
@@ -91,19 +77,20 @@ Standing standingFrom(const std::string& entrant, Json document) {
 }  // namespace
 
 Batch::Batch(const Grader& grader, const Sandbox& sandbox, const Manifest& manifest,
-             const Ledger& ledger, std::uint64_t seed, std::string key, bool stable)
+             const Ledger& ledger, Terms terms)
     : grader_(grader),
       sandbox_(sandbox),
       manifest_(manifest),
       ledger_(ledger),
-      seed_(seed),
-      key_(std::move(key) + (stable ? "stable\n" : "")),
-      stable_(stable),
-      known_(knownAssignments(grader.tools().root)) {}
+      terms_(std::move(terms)),
+      known_(knownAssignments(grader.tools().root)) {
+    if (terms_.stable)
+        terms_.rules.deciding += "stable\n";
+}
 
-std::vector<Standing> Batch::run(const std::vector<Entrant>& entrants, int jobs, bool fresh,
-                                 const std::atomic<bool>& stop,
-                                 const std::function<void(const Standing&)>& tell) const {
+Crew::Done Batch::run(const std::vector<Entrant>& entrants, int jobs, bool fresh,
+                      const std::atomic<bool>& stop,
+                      const std::function<void(const Standing&)>& tell) const {
     std::vector<std::size_t> order(entrants.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::vector<std::uintmax_t> sizes;
@@ -112,42 +99,32 @@ std::vector<Standing> Batch::run(const std::vector<Entrant>& entrants, int jobs,
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
 
-    std::vector<std::optional<Standing>> standings(entrants.size());
-    std::atomic<std::size_t> next = 0;
-    std::mutex telling;
-    const auto work = [&] {
-        for (std::size_t k = next++; k < order.size() && !stop; k = next++) {
-            Standing standing = standingOf(entrants[order[k]], fresh);
-            const std::scoped_lock lock(telling);
-            tell(standing);
-            standings[order[k]] = std::move(standing);
-        }
-    };
-    std::vector<std::thread> workers;
-    for (int i = 1; i < jobs; ++i)
-        workers.emplace_back(work);
-    work();
-    for (std::thread& each : workers)
-        each.join();
-    std::vector<Standing> done;
-    for (auto& each : standings)
-        if (each)
-            done.push_back(std::move(*each));
+    const Crew crew{jobs, kAttempts * terms_.longestSeconds +
+                              std::max(kLeastGraceSeconds, terms_.longestSeconds / 10)};
+    Crew::Done done = crew.run(
+        entrants.size(), [&](std::size_t k) { return standingOf(entrants[order[k]], fresh); },
+        [&](std::size_t k) {
+            return faultOf(entrants[order[k]].name,
+                           "grading it has hung in the grader itself, and was given up");
+        },
+        stop, tell);
+    std::vector<std::optional<Standing>> inOrder(entrants.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        inOrder[order[k]] = std::move(done.standings[k]);
+    done.standings = std::move(inOrder);
     return done;
 }
 
 Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
     std::string fault;
-    for (int attempt = 0; attempt < 2; ++attempt) {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const TimeBox box(terms_.longestSeconds);
         try {
             requireThere(entrant);
-            const std::string key = keyOf(entrant);
-            if (auto known = fresh ? std::nullopt : ledger_.known(entrant.name, key)) {
-                Standing standing = standingFrom(entrant.name, std::move(*known));
-                standing.fromBefore = true;
-                standing.unstable = ledger_.record(entrant.name).value("unstable", "");
-                return standing;
-            }
+            const Key key = keyOf(terms_.rules, grader_.tools().root, manifest_, entrant, known_);
+            if (!fresh)
+                if (auto standing = known(entrant, key))
+                    return std::move(*standing);
             ledger_.begin(entrant.name);
             Standing standing = gradeOnce(entrant, key);
             if (!standing.graderFailed())
@@ -157,10 +134,25 @@ Standing Batch::standingOf(const Entrant& entrant, bool fresh) const {
             fault = error.what();
         }
     }
-    return {entrant.name, "grader_error", fault, 0, 0, nullptr, "", false};
+    return faultOf(entrant.name, fault);
 }
 
-Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const {
+/// What is known already; marked again where only points and words have changed since.
+std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) const {
+    auto found = ledger_.known(entrant.name, key);
+    if (!found)
+        return std::nullopt;
+    if (found->wording != key.wording) {
+        found->result = markAgain(entrant.name, std::move(found->result));
+        ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
+    }
+    Standing standing = standingFrom(entrant.name, std::move(found->result));
+    standing.fromBefore = true;
+    standing.unstable = ledger_.record(entrant.name).value("unstable", "");
+    return standing;
+}
+
+Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
     const Job unpacking;
     const Unpacked unpacked = laidOut(entrant, unpacking);
     if (!unpacked.refusal.empty()) {
@@ -175,17 +167,21 @@ Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const 
         return standingFrom(entrant.name, std::move(document));
     }
     const Submission submission = submissionIn(unpacked.folder, known_);
-    std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, seed_)};
+    std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, terms_.seed)};
     if (!unpacked.notice.empty())
         results.front().notices.push_back(unpacked.notice);
-    const std::string unstable = stable_ ? repeated(submission, results.front()) : "";
+    const std::string unstable = terms_.stable ? repeated(submission, results.front()) : "";
+    TimeBox::check();  // what was cut off must not look like the submission's doing
     writeReports(results, entrant.name);
     ledger_.keepPrint(printOf(entrant.name, submission));
     ledger_.keepSubmission(entrant.name, filesIn(submission, manifest_), manifest_.id);
-    ledger_.keepRecord(entrant.name,
-                       {{"assignment", manifest_.id}, {"seed", seed_}, {"unstable", unstable}});
+    ledger_.keepRecord(entrant.name, {{"assignment", manifest_.id},
+                                      {"seed", terms_.seed},
+                                      {"unstable", unstable},
+                                      {"hints", hintsOf(manifest_)}});
     const std::string document = toJson(results.front());
-    ledger_.keep(entrant.name, results.front().graderFailed() ? "" : key, document);
+    ledger_.keep(entrant.name, results.front().graderFailed() ? std::nullopt : std::optional(key),
+                 document);
     Standing standing = standingFrom(entrant.name, Json::parse(document));
     standing.unstable = unstable;
     return standing;
@@ -195,8 +191,8 @@ Standing Batch::gradeOnce(const Entrant& entrant, const std::string& key) const 
 std::string Batch::repeated(const Submission& submission, const AssignmentResult& first) const {
     const Json then = Json::parse(toJson(first));
     for (int time = 2; time <= 3; ++time) {
-        const auto differences =
-            differencesOf(then, Json::parse(toJson(grader_.grade(manifest_, submission, seed_))));
+        const auto differences = differencesOf(
+            then, Json::parse(toJson(grader_.grade(manifest_, submission, terms_.seed))));
         if (!differences.empty())
             return fmt::format("graded three times, it came out differently: {}",
                                fmt::join(differences, "; "));
@@ -242,54 +238,45 @@ Unpacked Batch::laidOut(const Entrant& entrant, const Job& job) const {
     return {entrant.path, "", ""};
 }
 
+/// With a secret seed the instructor has a report and a document of their own, with all pictures.
 void Batch::writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const {
     const fs::path report = ledger_.folderOf(entrant) / "report",
                    full = ledger_.instructorFolderOf(entrant) / "report";
-    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(results.front(), {}));
-    if (seed_ == kPublishedSeed) {
+    if (terms_.seed == kPublishedSeed) {
         writeReportPictures(results, report);
     } else {
         writeReportPictures(results, full);
         writeFile(full / "index.html", htmlReport(results, full));
-        copyPictures(results, grader_.publicFrames(manifest_, seed_), full, report);
+        ledger_.keepInstructorsResult(entrant, toJson(results.front()));
+        copyPictures(results, grader_.publicFrames(manifest_, terms_.seed), full, report);
     }
+    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(results.front(), {}));
     writeFile(report / "index.html", htmlReport(results, report));
 }
 
-std::string Batch::keyOf(const Entrant& entrant) const {
-    std::string files = key_;
-    switch (entrant.kind) {
-        case EntrantKind::archive:
-            return sha256(key_ + "archive\n" + sha256(readFile(entrant.path)));
-        case EntrantKind::clone:
-            return sha256(key_ + "clone\n" + hashOfReferences(entrant.path));
-        case EntrantKind::looseFiles:
-            for (const LooseFile& each : entrant.files)
-                files += each.name + " " + sha256(readFile(each.path)) + "\n";
-            return sha256(files);
-        case EntrantKind::folder:
-            break;
-    }
-    const Collected collected =
-        collect(grader_.tools().root, manifest_, submissionIn(entrant.path, known_));
-    for (const StagedFile& file : collected.stage.files)
-        files += file.name + " " + file.origin + " " + sha256(file.content) + "\n";
-    for (const std::string& name : collected.ignored)
-        files += "ignored " + name + "\n";
-    return sha256(files);
-}
-
-std::string keyOfRules(const Toolchain& tools, const Sandbox& sandbox, const Manifest& manifest,
-                       std::uint64_t seed) {
-    std::string text;
-    for (const std::string& each :
-         {sha256(readFile("/proc/self/exe")), tools.kitFingerprint, tools.compilerVersion,
-          tools.glmVersion, sandbox.name(), cpuModel(), std::to_string(seed),
-          sha256(readFile(tools.judge(manifest.id))), hashOfFolder(manifest.folder),
-          hashOfFolder(tools.root / "reference_images" / manifest.id),
-          hashOfFolder(tools.root / "solutions" / manifest.id)})
-        text += each + "\n";
-    return sha256(text);
+/// The same results counted by the manifest of today, and their reports. The pictures stay.
+Json Batch::markAgain(const std::string& entrant, Json document) const {
+    if (document.at("status") == "refused")
+        return document;
+    Json record = ledger_.record(entrant);
+    const auto hints = record.at("hints").get<std::map<std::string, std::string>>();
+    const auto again = [&](const Json& kept, const fs::path& report) {
+        AssignmentResult result = resultFrom(kept);
+        remark(result, manifest_, hints);
+        writeFile(report / "index.html", htmlReport({result}, report));
+        return result;
+    };
+    if (const auto full = ledger_.instructorsResult(entrant))
+        ledger_.keepInstructorsResult(
+            entrant, toJson(again(*full, ledger_.instructorFolderOf(entrant) / "report")));
+    const AssignmentResult result = again(document, ledger_.folderOf(entrant) / "report");
+    writeFile(ledger_.folderOf(entrant) / "report.txt", terminalReport(result, {}));
+    const std::string text = toJson(result);
+    ledger_.keep(entrant, std::nullopt, text);
+    // Only now: while a text still has the hints of then, they must be known.
+    record["hints"] = hintsOf(manifest_);
+    ledger_.keepRecord(entrant, record);
+    return Json::parse(text);
 }
 
 }  // namespace grader

@@ -82,20 +82,23 @@ TEST(Intake, RefusesWhatItWouldHaveToGuess) {
 TEST(Ledger, KnowsOnlyWhatIsWholeAndHasTheSameKey) {
     const Tree tree;
     const Ledger ledger(tree.path());
-    EXPECT_FALSE(ledger.known("alpha", "key"));
+    const Key key{"key", "words"};
+    EXPECT_FALSE(ledger.known("alpha", key));
     ledger.begin("alpha");
-    ledger.keep("alpha", "key", "{\"points\": 3}");
-    ASSERT_TRUE(ledger.known("alpha", "key"));
-    EXPECT_EQ(ledger.known("alpha", "key")->at("points"), 3);
-    EXPECT_FALSE(ledger.known("alpha", "another"));
+    ledger.keep("alpha", key, "{\"points\": 3}");
+    ASSERT_TRUE(ledger.known("alpha", key));
+    EXPECT_EQ(ledger.known("alpha", key)->result.at("points"), 3);
+    EXPECT_FALSE(ledger.known("alpha", {"another", "words"}));
+    ASSERT_TRUE(ledger.known("alpha", {"key", "others"})) << "it can be marked again";
+    EXPECT_EQ(ledger.known("alpha", {"key", "others"})->wording, "words");
     writeFile(ledger.folderOf("alpha") / "result.json", "{\"points\": ");
-    EXPECT_FALSE(ledger.known("alpha", "key")) << "a file that is cut off";
+    EXPECT_FALSE(ledger.known("alpha", key)) << "a file that is cut off";
     ledger.begin("beta");
-    ledger.keep("beta", "", "{}");
-    EXPECT_FALSE(ledger.known("beta", "")) << "a grader's fault is not remembered";
-    ledger.keep("gamma", "key", "{}");
+    ledger.keep("beta", std::nullopt, "{}");
+    EXPECT_FALSE(ledger.known("beta", key)) << "a grader's fault is not remembered";
+    ledger.keep("gamma", key, "{}");
     ledger.begin("gamma");
-    EXPECT_FALSE(ledger.known("gamma", "key")) << "what is begun anew is not known";
+    EXPECT_FALSE(ledger.known("gamma", key)) << "what is begun anew is not known";
 }
 
 TEST(Progress, ForeseesTheEnd) {

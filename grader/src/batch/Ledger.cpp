@@ -3,16 +3,22 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <sstream>
+
 #include "Collect.h"
 
 namespace grader {
 
-std::optional<Json> Ledger::known(const std::string& entrant, const std::string& key) const {
+std::optional<Ledger::Known> Ledger::known(const std::string& entrant, const Key& key) const {
     const fs::path folder = folderOf(entrant);
     try {
-        if (!fs::exists(folder / "key") || readFile(folder / "key") != key)
+        if (!fs::exists(folder / "key"))
             return std::nullopt;
-        return parseJsonFile((folder / "result.json").string());
+        std::istringstream kept(readFile(folder / "key"));
+        Key then;
+        if (!(kept >> then.deciding >> then.wording) || then.deciding != key.deciding)
+            return std::nullopt;
+        return Known{parseJsonFile((folder / "result.json").string()), then.wording};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -26,16 +32,16 @@ void Ledger::begin(const std::string& entrant) const {
     fs::create_directories(folderOf(entrant));
 }
 
-void Ledger::keep(const std::string& entrant, const std::string& key,
+void Ledger::keep(const std::string& entrant, const std::optional<Key>& key,
                   const std::string& result) const {
     writeFile(folderOf(entrant) / "result.json", result);
-    if (key.empty())
+    if (!key)
         return;
     // Nothing may be lost by a power failure that the key vouches for.
     const int folder = open(folderOf(entrant).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     syncfs(folder);
     close(folder);
-    writeFile(folderOf(entrant) / "key", key);
+    writeFile(folderOf(entrant) / "key", key->deciding + " " + key->wording + "\n");
 }
 
 void Ledger::keepSubmission(const std::string& entrant,
@@ -51,6 +57,15 @@ void Ledger::keepSubmission(const std::string& entrant,
         fs::create_directories((home / name).parent_path());
         fs::copy_file(file, home / name, unreadable);
     }
+}
+
+std::optional<Json> Ledger::instructorsResult(const std::string& entrant) const {
+    const fs::path file = instructorFolderOf(entrant) / "result.json";
+    return fs::exists(file) ? std::optional(parseJsonFile(file.string())) : std::nullopt;
+}
+
+void Ledger::keepInstructorsResult(const std::string& entrant, const std::string& result) const {
+    writeFile(instructorFolderOf(entrant) / "result.json", result);
 }
 
 Json Ledger::record(const std::string& entrant) const {

@@ -6,6 +6,7 @@
 
 #include "Fields.h"
 #include "Files.h"
+#include "batch/Keys.h"
 #include "batch/Similarity.h"
 
 namespace grader {
@@ -22,15 +23,20 @@ public:
         return folder_ / "instructor" / entrant;
     }
 
-    /// The result document that was kept under this key; nothing when there is none, it was kept
-    /// under another key, or cannot be read.
-    std::optional<Json> known(const std::string& entrant, const std::string& key) const;
+    /// What was kept under a key with the same `deciding`; nothing when there is none, or it cannot
+    /// be read.
+    struct Known {
+        Json result;  ///< the document
+        std::string wording;
+    };
+    std::optional<Known> known(const std::string& entrant, const Key& key) const;
 
     /// Forgets what was known of the submission: what follows is written anew.
     void begin(const std::string& entrant) const;
 
     /// Keeps a result. Without a key it is there to be read, and graded again the next time.
-    void keep(const std::string& entrant, const std::string& key, const std::string& result) const;
+    void keep(const std::string& entrant, const std::optional<Key>& key,
+              const std::string& result) const;
 
     /// What the submission is compared by with others; nothing when it was not kept.
     std::optional<Print> print(const std::string& entrant) const;
@@ -43,6 +49,10 @@ public:
     }
     void keepSubmission(const std::string& entrant, const std::map<std::string, fs::path>& files,
                         const std::string& assignment) const;
+
+    /// The document with the paths of all pictures, where students must not see them all.
+    std::optional<Json> instructorsResult(const std::string& entrant) const;
+    void keepInstructorsResult(const std::string& entrant, const std::string& result) const;
 
     /// What else an instructor has to know; an empty object when nothing is known.
     Json record(const std::string& entrant) const;

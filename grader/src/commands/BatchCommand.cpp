@@ -41,15 +41,22 @@ struct Options {
     AttemptRule attempt = AttemptRule::last;
     int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::optional<std::uint64_t> seed;
+    std::optional<double> longest;
     bool fresh = false, stable = false, quiet = false, noSandbox = false;
     Shard shard;
 };
 
 std::atomic<bool> stop = false;
 
-void onInterrupt(int) {
+void onInterrupt(int signal) {
     stop = true;
-    std::signal(SIGINT, SIG_DFL);  // the second time at once
+    std::signal(signal, SIG_DFL);  // the second time at once
+}
+
+/// From now on both ask for an end; what is being graded is graded to the end first.
+void stopWhenAsked() {
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
 }
 
 /// The batch's own seed: chosen once, kept beside the results, nobody's to know before.
@@ -158,6 +165,7 @@ int runBatch(const Options& options) {
         chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
     const fs::path out = options.out;
     removeAbandonedWork();
+    stopWhenAsked();
     Rules rules(options, manifest);
     const Job unpacking;
     Intake intake = takeIn(folderOf(tools, *sandbox, unpacking, options.submissions), manifest,
@@ -176,16 +184,20 @@ int runBatch(const Options& options) {
     const std::uint64_t seed = seedFor(options, tools, out / "batch.json");
     const Ledger ledger(out);
     const Grader grader(tools, *sandbox);
-    const Batch batch(grader, *sandbox, manifest, ledger, seed,
-                      keyOfRules(tools, *sandbox, manifest, seed), options.stable);
-    std::signal(SIGINT, onInterrupt);
+    const Batch batch(
+        grader, *sandbox, manifest, ledger,
+        {seed, keyOfRules(grader, *sandbox, manifest, seed),
+         options.longest.value_or(longestGrading(manifest) * (options.stable ? 3 : 1)),
+         options.stable});
     Progress progress(entrants.size(), options.quiet);
     std::map<std::string, Standing> standings;
-    for (Standing& each :
-         batch.run(entrants, options.jobs, options.fresh, stop, [&](const Standing& standing) {
-             progress.count(lineOf(standing), standing.graderFailed(), standing.fromBefore);
-         }))
-        standings.emplace(each.entrant, std::move(each));
+    Crew::Done done =
+        batch.run(entrants, options.jobs, options.fresh, stop, [&](const Standing& standing) {
+            progress.count(lineOf(standing), standing.graderFailed(), standing.fromBefore);
+        });
+    for (auto& each : done.standings)
+        if (each)
+            standings.emplace(each->entrant, std::move(*each));
     progress.end();
 
     const auto marks =
@@ -211,7 +223,12 @@ int runBatch(const Options& options) {
     for (const std::string& each : leftOut)
         std::cout << "Look at: " << each << "\n";
     std::cout << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
-    return faults || left ? kGraderFailed : kFullMarks;
+    const int exitCode = faults || left ? kGraderFailed : kFullMarks;
+    if (done.someoneWasLeftBehind) {
+        std::cout.flush();
+        std::quick_exit(exitCode);
+    }
+    return exitCode;
 }
 
 }  // namespace
@@ -254,6 +271,13 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
             "--shard", [](const std::string& text) { options.shard = Shard(text); },
             "grade the i-th of n parts of the class, i/n; give all the same --seed, then: merge")
         ->default_str("1/1");
+    command
+        ->add_option(
+            "--longest", options.longest,
+            "seconds after which grading one submission is ended, and counts as a fault of "
+            "the grader; default what its parts may take at most, according to the "
+            "assignment's limits")
+        ->check(CLI::PositiveNumber);
     command->add_flag("--stable", options.stable,
                       "grade each three times, and name those that come out differently");
     command->add_flag("--fresh", options.fresh, "grade again what is known already");

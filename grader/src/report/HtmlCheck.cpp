@@ -39,14 +39,12 @@ std::string numbersOf(const CheckResult& check) {
         100 * score.outliers, score.meanError, score.score);
 }
 
-std::string featureRow(const FeatureResult& feature, const CheckResult& check,
-                       const std::string& assignment, const fs::path& folder) {
+std::string featureRow(const FeatureResult& feature, const fs::path& folder) {
     const bool full = feature.points >= feature.maxPoints;
     const Status status = full ? Status::pass : feature.points > 0 ? Status::partial : Status::fail;
     std::string mask;
-    if (check.pictures && !feature.mask.empty())
-        mask = pictureOf(folder / maskPath(assignment, check, feature), "mask",
-                         "Where it shows: " + feature.title);
+    if (!feature.maskPath.empty())
+        mask = pictureOf(folder / feature.maskPath, "mask", "Where it shows: " + feature.title);
     return fmt::format(
         "<li class=\"feature\"{}><p>{}<span class=\"title\">{}</span>"
         "<span class=\"points\">{}</span></p>{}<p class=\"message\">{}</p>{}</li>\n",
@@ -55,23 +53,21 @@ std::string featureRow(const FeatureResult& feature, const CheckResult& check,
         escaped(feature.message), mask);
 }
 
-std::string featuresOf(const CheckResult& check, const std::string& assignment,
-                       const fs::path& folder) {
+std::string featuresOf(const CheckResult& check, const fs::path& folder) {
     if (check.features.empty())
         return "";
     std::string html = "<ul class=\"features\">\n";
     for (const FeatureResult& each : check.features)
-        html += featureRow(each, check, assignment, folder);
+        html += featureRow(each, folder);
     return html + "</ul>\n";
 }
 
-std::string frameOf(const CheckResult& check, const std::string& assignment,
-                    const fs::path& folder) {
+std::string frameOf(const CheckResult& check, const fs::path& folder) {
     const bool drawn = check.pictures && !check.imagePaths.empty();
     if (!drawn && check.features.empty())
         return "";
     return "<div class=\"frame\">\n" + (drawn ? picturesOf(check, folder) : "") +
-           featuresOf(check, assignment, folder) + (drawn ? numbersOf(check) : "") + "</div>\n";
+           featuresOf(check, folder) + (drawn ? numbersOf(check) : "") + "</div>\n";
 }
 
 /// Whether a message says only what the matrices show better.
@@ -104,26 +100,19 @@ std::string summaryOf(const CheckResult& check) {
 
 }  // namespace
 
-std::string lostCheck(const CheckResult& check, const std::string& assignment,
-                      const fs::path& folder, bool open, bool withHint) {
+std::string lostCheck(const CheckResult& check, const fs::path& folder, bool open, bool withHint) {
     return fmt::format("<details class=\"check {}\"{}>{}<div class=\"inside\">",
                        judge::toString(check.status), open ? " open" : "", summaryOf(check)) +
            messageOf(check) + (check.comparison ? comparisonOf(*check.comparison) : "") +
            (withHint && wantsHint(check)
                 ? "<p class=\"hint\">Hint: " + escaped(check.hint) + "</p>\n"
                 : "") +
-           frameOf(check, assignment, folder) + "</div></details>\n";
+           frameOf(check, folder) + "</div></details>\n";
 }
 
-std::string fullFrame(const CheckResult& check, const std::string& assignment,
-                      const fs::path& folder) {
+std::string fullFrame(const CheckResult& check, const fs::path& folder) {
     return "<details class=\"check full pass\">" + summaryOf(check) + "<div class=\"inside\">" +
-           frameOf(check, assignment, folder) + "</div></details>\n";
-}
-
-std::string maskPath(const std::string& assignment, const CheckResult& check,
-                     const FeatureResult& feature) {
-    return fmt::format("{}/{}.{}.mask.png", assignment, check.id, feature.id);
+           frameOf(check, folder) + "</div></details>\n";
 }
 
 }  // namespace grader

@@ -88,12 +88,11 @@ std::vector<const CheckResult*> checksOf(const TaskResult& task, const std::stri
 }
 
 /// Frames first: they are to be looked at. Of the tests the first lies open.
-std::string lostChecksOf(const TaskResult& task, const AssignmentResult& result,
-                         const fs::path& folder) {
+std::string lostChecksOf(const TaskResult& task, const fs::path& folder) {
     std::string html, hint;
     const auto add = [&](const CheckResult& check, bool open) {
         open = open && check.status != Status::notImplemented;
-        html += lostCheck(check, result.assignment, folder, open, !open || check.hint != hint);
+        html += lostCheck(check, folder, open, !open || check.hint != hint);
         if (open)
             hint = check.hint;
     };
@@ -107,11 +106,10 @@ std::string lostChecksOf(const TaskResult& task, const AssignmentResult& result,
     return html;
 }
 
-std::string fullChecksOf(const TaskResult& task, const AssignmentResult& result,
-                         const fs::path& folder) {
+std::string fullChecksOf(const TaskResult& task, const fs::path& folder) {
     std::string frames;
     for (const CheckResult* each : checksOf(task, "frame", true))
-        frames += fullFrame(*each, result.assignment, folder);
+        frames += fullFrame(*each, folder);
     return titlesOf(checksOf(task, "test", true), Status::pass, "passed") +
            (frames.empty() ? "" : "<div class=\"full-frames\">" + frames + "</div>\n");
 }
@@ -127,8 +125,8 @@ std::string taskOf(const TaskResult& task, const AssignmentResult& result, const
         html += "<p class=\"message\">" + escaped(task.checks.front().message) + "</p>\n";
     if (task.status == Status::pending)
         html += "<p class=\"message\">" + escaped(task.checks.back().message) + "</p>\n";
-    return html + recognisedOf(task) + lostChecksOf(task, result, folder) +
-           fullChecksOf(task, result, folder) + "</article>\n";
+    return html + recognisedOf(task) + lostChecksOf(task, folder) + fullChecksOf(task, folder) +
+           "</article>\n";
 }
 
 /// Those that lost most come first; those that lost alike stay in the handout's order.
@@ -214,10 +212,12 @@ std::string policy() {
         hashOf(kReportStyle), hashOf(kReportScript));
 }
 
-void writeMasks(const CheckResult& check, const std::string& assignment, const fs::path& folder) {
-    for (const FeatureResult& feature : check.features)
-        if (!feature.mask.empty())
-            writePicture(folder / maskPath(assignment, check, feature), feature.mask);
+void writeMasks(CheckResult& check, const std::string& assignment, const fs::path& folder) {
+    for (FeatureResult& feature : check.features)
+        if (!feature.mask.empty()) {
+            feature.maskPath = fmt::format("{}/{}.{}.mask.png", assignment, check.id, feature.id);
+            writePicture(folder / feature.maskPath, feature.mask);
+        }
 }
 
 /// A frame that is the reference is written once and copied.
@@ -260,13 +260,13 @@ void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::st
                     std::erase_if(check.imagePaths,
                                   [](const auto& each) { return each.first != "submission"; });
                     for (FeatureResult& feature : check.features)
-                        feature.mask = {};
+                        feature.maskPath.clear();
                 }
                 for (const auto& [name, path] : check.imagePaths)
                     copy(path);
                 for (const FeatureResult& feature : check.features)
-                    if (check.pictures && !feature.mask.empty())
-                        copy(maskPath(result.assignment, check, feature));
+                    if (!feature.maskPath.empty())
+                        copy(feature.maskPath);
             }
 }
 
