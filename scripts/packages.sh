@@ -19,6 +19,8 @@ test_packages=(xvfb xdotool nodejs clang slurm-wlm munge)
 # add_machine_packages: to $test_packages, what not every machine is to get. Wants $system.
 add_machine_packages() {
     [[ $system == ubuntu* ]] || test_packages+=(chromium)
+    # Linux as a program, to try cgroups; whether others have it was not tried.
+    [[ $system != "debian 12" ]] || test_packages+=(user-mode-linux)
     # libFuzzer and the sanitizers of clang; in Ubuntu 22.04 they come with the compiler.
     [[ $system == "ubuntu 22.04" ]] || test_packages+=(libclang-rt-dev)
     # Node's packages from elsewhere bring npm along, and Debian's conflicts with them.
