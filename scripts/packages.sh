@@ -22,6 +22,8 @@ add_machine_packages() {
     [[ -d $root/grader/tests ]] || return 0
     test_packages+=(nodejs clang slurm-wlm munge)
     [[ $system == ubuntu* ]] || test_packages+=(chromium)
+    # Linux as a program, to try cgroups; whether others have it was not tried.
+    [[ $system != "debian 12" ]] || test_packages+=(user-mode-linux)
     # libFuzzer and the sanitizers of clang; in Ubuntu 22.04 they come with the compiler.
     [[ $system == "ubuntu 22.04" ]] || test_packages+=(libclang-rt-dev)
     # Node's packages from elsewhere bring npm along, and Debian's conflicts with them.

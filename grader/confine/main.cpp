@@ -1,14 +1,16 @@
 // The two steps of ours into a sandbox. Both become the command that follows.
 //
-//   confine enter USER FOLDER NAME=VALUE… -- COMMAND…
-//       the first: works in FOLDER with these variables and no others; root becomes USER, without
-//       groups. (USER 0: stays who it is, unless it is root.)
+//   confine enter USER FOLDER CGROUP NAME=VALUE… -- COMMAND…
+//       the first: moves into CGROUP (-: stays where it is), works in FOLDER with these variables
+//       and no others; root becomes USER, without groups. (USER 0: stays who it is, unless it is
+//       root.)
 //   confine limit cpu=S memory=MIB processes=N file=MIB files=N -- COMMAND…
 //       the last, inside the namespaces where there are any: sets the limits, gives up every way to
 //       gain rights, refuses dangerous system calls. What it takes away cannot be had back.
 //
 // Linked statically: started several times for each submission, it must cost next to nothing.
 
+#include <fcntl.h>
 #include <grp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -50,6 +52,15 @@ void takeUntilDashes(char** argv, int argc, int& at, Take&& take) {
         throw std::runtime_error("no command after --");
 }
 
+void moveInto(const std::string& cgroup) {
+    if (cgroup == "-")
+        return;
+    const int file = open((cgroup + "/cgroup.procs").c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0 || write(file, "0", 1) != 1)
+        fail("cannot enter the cgroup " + cgroup);
+    close(file);
+}
+
 void becomeUser(gid_t user) {
     if (geteuid() != 0)
         return;
@@ -61,10 +72,11 @@ void becomeUser(gid_t user) {
 }
 
 void enter(char** argv, int argc, int& at) {
-    if (argc < at + 2)
-        throw std::runtime_error("expected a user and a folder");
+    if (argc < at + 3)
+        throw std::runtime_error("expected a user, a folder and a cgroup");
     const auto user = static_cast<gid_t>(numberIn(argv[at++]));
     const char* folder = argv[at++];
+    const char* cgroup = argv[at++];
     clearenv();
     takeUntilDashes(argv, argc, at, [](char* variable) {
         if (!std::strchr(variable, '=') || putenv(variable) != 0)
@@ -73,6 +85,7 @@ void enter(char** argv, int argc, int& at) {
     });
     if (chdir(folder) != 0)
         fail(std::string("cannot work in ") + folder);
+    moveInto(cgroup);
     becomeUser(user);
 }
 

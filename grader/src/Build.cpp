@@ -1,20 +1,23 @@
 #include "Build.h"
 
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <set>
 
+#include "Cgroup.h"
 #include "Error.h"
 #include "Includes.h"
 #include "ObjectCache.h"
 #include "Process.h"
 #include "TimeBox.h"
+#include "subject/KernelLimits.h"
 
 namespace grader {
 
 namespace {
 
-constexpr int kCompilerMemoryMib = 2048;
+constexpr int kCompilerMemoryMib = 2048;  // of each process; where there is a cgroup, of all
 constexpr std::size_t kLongestLog = 256 * 1024;
 
 bool isHeader(const std::string& name) {
@@ -28,6 +31,14 @@ bool ranOutOfMemory(const std::string& log) {
         if (log.find(words) != std::string::npos)
             return true;
     return false;
+}
+
+/// In the words of g++ and of collect2, or in bubblewrap's exit code.
+bool wasKilled(const ProcessResult& result) {
+    constexpr int kBySigkill = 128 + SIGKILL;
+    return result.signal == SIGKILL || result.exitCode == kBySigkill ||
+           result.output.find("Killed signal terminated program") != std::string::npos ||
+           result.output.find("terminated with signal 9") != std::string::npos;
 }
 
 /// What one command made of its input.
@@ -48,6 +59,7 @@ public:
           sources_(job.work.path() / "stage"),
           out_(job.work.path() / "out"),
           user_(job.user.id()),
+          cgroup_({.memoryMib = kCompilerMemoryMib, .endTogether = false}),
           includesOnlyHeaders_(
               std::all_of(stage.files.begin(), stage.files.end(), [](const StagedFile& file) {
                   const bool code = isHeader(file.name) || file.name.ends_with(".cpp");
@@ -184,6 +196,7 @@ private:
         confinement.writable = {out_};
         confinement.workingFolder = sources_;
         confinement.user = user_;
+        confinement.cgroup = cgroup_.folder();
         confinement.limits.cpuSeconds = limits_.buildSeconds;
         confinement.limits.memoryMib = kCompilerMemoryMib;
         ProcessResult result =
@@ -192,7 +205,9 @@ private:
             result.output += fmt::format("\n{}:1:1: error: the compiler {}\n",
                                          output.substr(0, output.size() - 2), about);
         };
-        if (ranOutOfMemory(result.output))
+        const bool endedByKernel =
+            wasKilled(result) && judge::interventionsIn(cgroup_.folder()).memory > 0;
+        if (ranOutOfMemory(result.output) || endedByKernel)
             complain(fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib));
         else if (result.timedOut || result.signal != 0)
             complain(fmt::format("did not finish within {} s", limits_.buildSeconds));
@@ -231,6 +246,7 @@ private:
     ObjectCache cache_;
     fs::path sources_, out_;
     unsigned user_;
+    Cgroup cgroup_;             ///< of all compilers; the largest one ends when memory runs out
     bool includesOnlyHeaders_;  ///< of every C++ file in the stage
 };
 

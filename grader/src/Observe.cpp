@@ -25,6 +25,21 @@ constexpr double kJudgeSeconds = kRunnerSeconds * double(protocol::kMostStretch)
 /// none of those belongs to.
 constexpr int kMostLateFrames = 3;
 
+/// What a runner may use with all that it starts. It has a child for a call beside the one that
+/// draws, each of which may have all that a submission may; files in memory; itself and bubblewrap.
+/// So this is never reached but by code that took more than its share.
+CgroupLimits limitsOf(const Manifest& manifest) {
+    constexpr int kChildren = 2, kFilesInMemoryMib = 128, kOwnMib = 64, kOwnProcesses = 4;
+    const int memory = memoryForOwn(manifest.limits.memoryMib);
+    return {memory > 0 ? kChildren * memory + kFilesInMemoryMib + kOwnMib : 0,
+            Limits{}.processes + kOwnProcesses};
+}
+
+/// What a submission is told when the kernel steps in.
+judge::KernelLimits toldOf(const Manifest& manifest, const Cgroup& cgroup) {
+    return {cgroup.folder().string(), manifest.limits.memoryMib, Limits{}.processes};
+}
+
 /// Only a renderer on the CPU gives the same picture everywhere.
 bool drawsOnTheCpu(const std::string& renderer) {
     return renderer.find("llvmpipe") != std::string::npos ||
@@ -113,12 +128,13 @@ TestOutcome testOutcomeOf(const Json& json) {
 
 }  // namespace
 
-std::vector<std::string> Observer::runnerCommand(const Manifest& manifest,
-                                                 const BuildResult& build) const {
+std::vector<std::string> Observer::runnerCommand(const Manifest& manifest, const BuildResult& build,
+                                                 const Cgroup& cgroup) const {
     Confinement confinement;
     confinement.readable = {tools_.kit, build.stage, build.object.parent_path()};
     confinement.workingFolder = build.stage;
     confinement.user = build.user;
+    confinement.cgroup = cgroup.folder();
     // One thread, and no cache that another program could have filled.
     confinement.environment = {"GALLIUM_DRIVER=" + renderer_.driver, "LIBGL_ALWAYS_SOFTWARE=1",
                                "LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true"};
@@ -151,9 +167,14 @@ std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const 
                                         "--call-ms",
                                         fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
                                         "--output-kib",
-                                        std::to_string(manifest.limits.outputKib),
-                                        "--"};
-    const auto runner = runnerCommand(manifest, build);
+                                        std::to_string(manifest.limits.outputKib)};
+    const Cgroup cgroup(limitsOf(manifest));
+    if (const auto told = toldOf(manifest, cgroup); !told.cgroup.empty())
+        command.insert(command.end(),
+                       {"--cgroup", told.cgroup, "--memory-mib", std::to_string(told.memoryMib),
+                        "--processes", std::to_string(told.processes)});
+    command.push_back("--");
+    const auto runner = runnerCommand(manifest, build, cgroup);
     command.insert(command.end(), runner.begin(), runner.end());
     fs::remove(resultFile);
     const ProcessResult ran = run(command, kJudgeSeconds);
@@ -193,7 +214,8 @@ protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
     nothing.user = job.user.id();
     fs::create_directories(nothing.stage);
     shareWithSandbox(nothing.stage, nothing.user, false);
-    const auto subject = judge::startSubject(runnerCommand({}, nothing));
+    const Cgroup cgroup(limitsOf({}));
+    const auto subject = judge::startSubject(runnerCommand({}, nothing, cgroup));
     protocol::Request request;
     request.timeoutMs = 10000;
     request.kind = protocol::RequestKind::graphics;
@@ -214,7 +236,9 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     Frames frames;
     if (manifest.frames.empty())
         return frames;
-    const auto subject = judge::startSubject(runnerCommand(manifest, build));
+    const Cgroup cgroup(limitsOf(manifest));
+    const auto subject =
+        judge::startSubject(runnerCommand(manifest, build, cgroup), toldOf(manifest, cgroup));
     protocol::Request request;
     request.timeoutMs = static_cast<std::uint32_t>(manifest.limits.frameSeconds * 1000);
     request.outputBytes = static_cast<std::uint32_t>(manifest.limits.outputKib) * 1024;

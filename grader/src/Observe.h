@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Build.h"
+#include "Cgroup.h"
 #include "Comparison.h"
 #include "Manifest.h"
 #include "compare/Picture.h"
@@ -66,8 +67,8 @@ public:
     std::vector<TestOutcome> listTests(const Manifest& manifest) const;
 
 private:
-    std::vector<std::string> runnerCommand(const Manifest& manifest,
-                                           const BuildResult& build) const;
+    std::vector<std::string> runnerCommand(const Manifest& manifest, const BuildResult& build,
+                                           const Cgroup& cgroup) const;
     std::vector<TestOutcome> runTestsOnce(const Manifest& manifest, const BuildResult& build,
                                           std::uint64_t seed, const fs::path& work) const;
 

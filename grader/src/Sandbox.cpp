@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "Cgroup.h"
 #include "Error.h"
 #include "Process.h"
 
@@ -31,8 +32,8 @@ void append(Command& command, const Command& more) {
     command.insert(command.end(), more.begin(), more.end());
 }
 
-/// Our program's first step: the only variables that a confined program sees, its folder, and the
-/// job's user where the grader is root.
+/// Our program's first step: the only variables that a confined program sees, its folder, its
+/// cgroup where there is one, and the job's user where the grader is root.
 Command enterCommand(const fs::path& confine, const fs::path& folder,
                      const Confinement& confinement) {
     if (geteuid() == 0 && confinement.user == 0)
@@ -41,6 +42,7 @@ Command enterCommand(const fs::path& confine, const fs::path& folder,
                        "enter",
                        std::to_string(confinement.user),
                        folder.string(),
+                       confinement.cgroup.empty() ? "-" : confinement.cgroup.string(),
                        "PATH=/usr/bin:/bin",
                        "LANG=C.UTF-8",
                        "HOME=/nonexistent",
@@ -185,6 +187,7 @@ bool runsInCi() {
 }
 
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish) {
+    CgroupHome::ours();  // while there are no threads and children
     if (wish.none)
         return makePlainProcess(confine);
     auto bubblewrap = makeBubblewrap(confine);

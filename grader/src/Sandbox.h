@@ -23,6 +23,7 @@ struct Confinement {
     fs::path workingFolder;
     std::vector<std::string> environment;  ///< "NAME=VALUE", beside the few that all programs see
     unsigned user = 0;  ///< whom root becomes before it starts the program; see JobUser
+    fs::path cgroup;    ///< which it enters before that; see Cgroup. Empty: none
     Limits limits;
 };
 

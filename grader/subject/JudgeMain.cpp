@@ -134,14 +134,19 @@ int main(int argc, char** argv) {
     std::string resultPath;
     std::uint32_t callMs = 2000, outputKib = 64;
     std::vector<std::string> runnerCommand;
+    judge::KernelLimits limits;
     app.add_option("--result", resultPath, "write the outcome of each check to this file");
     app.add_option("--seed", judge::seed, "seed of random inputs");
     app.add_option("--call-ms", callMs, "time limit of one call, milliseconds");
     app.add_option("--output-kib", outputKib, "what one call may print, KiB");
+    app.add_option("--cgroup", limits.cgroup, "folder of the cgroup that the runner enters");
+    app.add_option("--memory-mib", limits.memoryMib,
+                   "what is said when memory runs out there, MiB");
+    app.add_option("--processes", limits.processes, "what is said when processes do");
     app.add_option("command", runnerCommand, "after --: the command that starts the runner");
     CLI11_PARSE(app, argc, argv);
 
-    judge::theSubject = judge::makeSubject(runnerCommand);
+    judge::theSubject = judge::makeSubject(runnerCommand, limits);
     judge::observe(judge::subject());
     judge::subject().callTimeoutMs = callMs;
     judge::subject().outputBytes = outputKib * 1024;

@@ -9,6 +9,7 @@
 namespace judge {
 
 /// The subject that a test program talks to: another process, or linked in for the debugger.
-std::unique_ptr<Subject> makeSubject(const std::vector<std::string>& runnerCommand);
+std::unique_ptr<Subject> makeSubject(const std::vector<std::string>& runnerCommand,
+                                     const KernelLimits& limits);
 
 }  // namespace judge

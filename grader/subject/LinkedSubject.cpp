@@ -61,7 +61,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Subject> makeSubject(const std::vector<std::string>&) {
+std::unique_ptr<Subject> makeSubject(const std::vector<std::string>&, const KernelLimits&) {
     return std::make_unique<LinkedSubject>();
 }
 

@@ -10,6 +10,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "subject/Subject.h"
 
@@ -28,13 +30,18 @@ constexpr int kRunnerDescriptor = 3;
 
 class ProcessSubject : public Subject {
 public:
-    explicit ProcessSubject(std::vector<std::string> command) : command_(std::move(command)) {
+    ProcessSubject(std::vector<std::string> command, KernelLimits limits)
+        : command_(std::move(command)), limits_(std::move(limits)) {
         command_.push_back(std::to_string(kRunnerDescriptor));
     }
     ~ProcessSubject() override { stop(); }
 
 protected:
     Answer answerTo(Request request) override {
+        // What an earlier request left running may have gone too far since: this one has no part in
+        // it, and gets a new runner.
+        if (kernelSteppedIn())
+            stop();
         if (pid_ < 0)
             start();
         if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)
@@ -45,10 +52,32 @@ protected:
         const auto status = protocol::readMessage(
             channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
             static_cast<int>(request.timeoutMs * protocol::kMostStretch) + kGraceMs, body);
-        return judged(request, status, body);
+        const Answer answer = judged(request, status, body);
+        const auto intervention = kernelSteppedIn();
+        if (!intervention)
+            return answer;
+        stop();
+        return *intervention;
     }
 
 private:
+    /// What has happened in the cgroup since this was last asked, as an answer.
+    std::optional<Answer> kernelSteppedIn() {
+        const Interventions now = interventionsIn(limits_.cgroup);
+        const Interventions before = std::exchange(seen_, now);
+        Answer answer;
+        if (now.memory > before.memory) {
+            answer.outcome = Outcome::memory;
+            answer.detail = std::to_string(limits_.memoryMib) + " MiB";
+        } else if (now.processes > before.processes) {
+            answer.outcome = Outcome::crash;
+            answer.detail = "started more than " + std::to_string(limits_.processes) + " processes";
+        } else {
+            return std::nullopt;
+        }
+        return answer;
+    }
+
     Answer judged(const Request& request, protocol::ReadStatus status,
                   const protocol::Bytes& body) {
         Answer answer;
@@ -151,6 +180,8 @@ private:
     }
 
     std::vector<std::string> command_;
+    const KernelLimits limits_;
+    Interventions seen_;
     pid_t pid_ = -1;
     int channel_ = -1;
     int errors_ = -1;
@@ -158,8 +189,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Subject> startSubject(std::vector<std::string> command) {
-    return std::make_unique<ProcessSubject>(std::move(command));
+std::unique_ptr<Subject> startSubject(std::vector<std::string> command, KernelLimits limits) {
+    return std::make_unique<ProcessSubject>(std::move(command), std::move(limits));
 }
 
 }  // namespace judge

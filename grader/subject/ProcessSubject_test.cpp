@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "subject/Subject.h"
+#include "testing/Tree.h"
 
 namespace {
 
@@ -89,6 +90,55 @@ TEST(ProcessSubject, TheRunnerEndsWithItsSubject) {
         EXPECT_EQ(kill(process, 0), 0);
     }
     EXPECT_NE(kill(process, 0), 0);
+}
+
+/// A folder that looks like a cgroup in which the kernel steps in when a runner is started.
+class SteppedIn : public testing::Test {
+protected:
+    /// What becomes of a request whose runner, in mode `mode`, finds these events.
+    Answer answerOf(const std::string& mode, const std::string& file, const std::string& events) {
+        const std::string write = "printf '" + events + "' > " + (cgroup_ / file).string();
+        const auto subject =
+            startSubject({"sh", "-c", write + "; exec " FAKE_RUNNER " " + mode + " $0"},
+                         {cgroup_.path().string(), 300, 20});
+        const Answer first = subject->ask({});
+        EXPECT_EQ(subject->ask({}).outcome, mode == "honest" ? Outcome::ok : Outcome::faulty)
+            << "the next request has no part in it";
+        return first;
+    }
+
+    testing_help::Tree cgroup_;
+};
+
+TEST_F(SteppedIn, ARunnerThatWasKilledForItsMemoryIsNoFaultOfTheGraders) {
+    const Answer answer = answerOf("dies", "memory.events", "max 9\\noom 1\\noom_kill 4\\n");
+    EXPECT_EQ(answer.outcome, Outcome::memory);
+    EXPECT_EQ(explain("turn", {}, answer).message,
+              "turn asked for more memory than it may have (300 MiB)");
+}
+
+TEST_F(SteppedIn, AnAnswerCountsLessThanWhatTheKernelDid) {
+    EXPECT_EQ(answerOf("honest", "memory.events", "oom 1\\noom_kill 1\\n").outcome,
+              Outcome::memory);
+}
+
+TEST_F(SteppedIn, ForksThatWereRefusedAreTooManyProcesses) {
+    const Answer answer = answerOf("honest", "pids.events", "max 3\\n");
+    EXPECT_EQ(answer.outcome, Outcome::crash);
+    EXPECT_EQ(explain("turn", {}, answer).message, "turn started more than 20 processes");
+}
+
+TEST_F(SteppedIn, AMachineWithoutMemoryIsNotTheSubmissionsFault) {
+    EXPECT_EQ(answerOf("dies", "memory.events", "oom 0\\noom_kill 2\\n").outcome, Outcome::faulty);
+}
+
+TEST_F(SteppedIn, WhatHappensBetweenRequestsIsNotTheNextOnesDoing) {
+    const auto subject =
+        startSubject({FAKE_RUNNER, "process-id"}, {cgroup_.path().string(), 300, 20});
+    const int before = subject->call<int>("turn");
+    EXPECT_EQ(subject->call<int>("turn"), before);
+    cgroup_.write("memory.events", "oom 1\noom_kill 1\n");
+    EXPECT_NE(subject->call<int>("turn"), before) << "a new runner";
 }
 
 TEST(SubjectCall, AFailureIsExplainedBeforeItIsThrown) {

@@ -2,8 +2,9 @@
 
 namespace judge {
 
-std::unique_ptr<Subject> makeSubject(const std::vector<std::string>& runnerCommand) {
-    return startSubject(runnerCommand);
+std::unique_ptr<Subject> makeSubject(const std::vector<std::string>& runnerCommand,
+                                     const KernelLimits& limits) {
+    return startSubject(runnerCommand, limits);
 }
 
 }  // namespace judge

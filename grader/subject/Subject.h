@@ -9,6 +9,7 @@
 #include "protocol/DrawCall.h"
 #include "protocol/Message.h"
 #include "protocol/Value.h"
+#include "subject/KernelLimits.h"
 #include "subject/Status.h"
 
 namespace judge {
@@ -121,7 +122,9 @@ private:
 /// A subject in a process of its own.
 ///
 /// `command` starts the runner (with its sandbox); the number of the descriptor for the judge is
-/// appended to it. The runner is started at the first request, and again when it ends.
-std::unique_ptr<Subject> startSubject(std::vector<std::string> command);
+/// appended to it. The runner is started at the first request, and again when it ends. `limits`: of
+/// the cgroup that the command enters; a request during which the kernel stepped in there is
+/// answered so, whatever the runner said or whether it lived to say it.
+std::unique_ptr<Subject> startSubject(std::vector<std::string> command, KernelLimits limits = {});
 
 }  // namespace judge

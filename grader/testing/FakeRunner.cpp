@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <string>
 
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
         if (mode == "hangs")
             for (;;)
                 pause();
+        if (mode == "eats")
+            for (;;)
+                std::memset(new char[1 << 20], 1, 1 << 20);
         if (mode == "garbage")
             send(judge, Bytes(64, 'x'));
         else if (mode == "short-body")

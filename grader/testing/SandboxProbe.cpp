@@ -78,6 +78,19 @@ void askForMemory(std::size_t mebibytes) {
     say("memory", memory != MAP_FAILED);
 }
 
+/// Children that each take a part of it and keep it; no longer than a test may take.
+void askForMemoryInMany(std::size_t mebibytes) {
+    constexpr std::size_t kChildren = 8;
+    const std::size_t bytes = (mebibytes << 20) / kChildren;
+    for (std::size_t i = 0; i < kChildren; ++i)
+        if (fork() == 0) {
+            std::memset(std::malloc(bytes), 1, bytes);
+            pause();
+        }
+    alarm(20);
+    pause();
+}
+
 void writeLargeFile(const std::string& folder, int mebibytes) {
     signal(SIGXFSZ, SIG_IGN);
     const int file = open((folder + "/large").c_str(), O_CREAT | O_WRONLY, 0600);
@@ -152,6 +165,8 @@ int main(int argc, char** argv) {
         forkUpTo(std::atoi(argument.c_str()));
     else if (attempt == "memory")
         askForMemory(std::strtoul(argument.c_str(), nullptr, 10));
+    else if (attempt == "memory-in-many")
+        askForMemoryInMany(std::strtoul(argument.c_str(), nullptr, 10));
     else if (attempt == "large-file")
         writeLargeFile(argument, 8);
     else if (attempt == "spin")

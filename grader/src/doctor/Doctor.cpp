@@ -183,6 +183,14 @@ std::vector<Defence> defencesFrom(const Confession& said, const std::string& san
     return all;
 }
 
+Defence defenceInSum(const CgroupHome& home) {
+    const bool active = !home.folder().empty();
+    return {"cgroup", "limits on memory and threads in sum", active,
+            active ? "cgroups in " + home.folder().parent_path().string()
+                   : "looked at every 20 ms, not held by the kernel: " + home.found(),
+            home.remedy()};
+}
+
 bool Diagnosis::allActive() const {
     return std::all_of(defences.begin(), defences.end(),
                        [](const Defence& each) { return each.active; });
@@ -219,8 +227,11 @@ std::string Diagnosis::json() const {
 }
 
 Diagnosis diagnose(const Toolchain& tools, const Sandbox& sandbox) {
-    return {sandbox.name(), defencesFrom(confess(tools, sandbox), sandbox.name(), geteuid() == 0),
-            factsOf(tools, sandbox)};
+    Diagnosis diagnosis{sandbox.name(),
+                        defencesFrom(confess(tools, sandbox), sandbox.name(), geteuid() == 0),
+                        factsOf(tools, sandbox)};
+    diagnosis.defences.push_back(defenceInSum(CgroupHome::ours()));
+    return diagnosis;
 }
 
 }  // namespace grader

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "Cgroup.h"
 #include "Sandbox.h"
 #include "Toolchain.h"
 
@@ -37,6 +38,9 @@ using Confession = std::map<std::string, std::string>;
 
 /// What the defences are, told from that. `root`: the grader was started by root.
 std::vector<Defence> defencesFrom(const Confession& said, const std::string& sandbox, bool root);
+
+/// Whether the kernel limits what a submission's processes use in sum.
+Defence defenceInSum(const CgroupHome& home);
 
 /// Runs a program in the sandbox that looks around, draws a little, and asks the machine.
 Diagnosis diagnose(const Toolchain& tools, const Sandbox& sandbox);

@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "Fields.h"
+#include "testing/Tree.h"
 
 namespace {
 
 using namespace grader;
 using testing::HasSubstr;
+using testing::Not;
 
 /// What a program says in a sandbox in which everything works.
 Confession wellKept() {
@@ -61,6 +63,25 @@ TEST(Doctor, NamesEachDefenceThatIsMissing) {
     }
     EXPECT_THAT(missing(wellKept(), "bubblewrap", false), testing::ElementsAre("user"));
     EXPECT_THAT(missing(wellKept(), "plain"), testing::ElementsAre("namespaces"));
+}
+
+TEST(Doctor, SaysWhetherTheKernelLimitsWhatIsUsedInSum) {
+    const Defence without = defenceInSum(CgroupHome("/nowhere"));
+    EXPECT_EQ(without.id, "cgroup");
+    EXPECT_FALSE(without.active);
+    EXPECT_THAT(without.found, HasSubstr("every 20 ms"));
+    EXPECT_THAT(without.found, HasSubstr("no cgroup v2 is mounted"));
+    EXPECT_THAT(without.remedy, Not(testing::IsEmpty()));
+
+    const testing_help::Tree machine;
+    machine.write("proc/self/cgroup", "0::/\n");
+    machine.write("proc/self/mountinfo", "1 1 0:1 / /cgroup rw - cgroup2 cgroup2 rw\n");
+    machine.write("cgroup/cgroup.controllers", "memory pids\n");
+    machine.write("cgroup/cgroup.procs", "");
+    const Defence with = defenceInSum(CgroupHome(machine.path()));
+    EXPECT_TRUE(with.active) << with.found;
+    EXPECT_EQ(with.found, "cgroups in " + (machine / "cgroup").string());
+    EXPECT_EQ(with.remedy, "");
 }
 
 TEST(Doctor, SaysTheSameOnTheScreenAndAsJson) {
