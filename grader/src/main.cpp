@@ -12,6 +12,7 @@
 #include "commands/DoctorCommand.h"
 #include "commands/ExportCommand.h"
 #include "commands/GradeCommand.h"
+#include "commands/PackagePlatform.h"
 
 namespace {
 
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
     grader::addExportCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
+    grader::addPackagePlatformCommands(app, exitCode);
     grader::addWindowCommand(app, exitCode);
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);

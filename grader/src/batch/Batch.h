@@ -48,7 +48,6 @@ private:
     Standing standingOf(const Entrant& entrant, bool fresh) const;
     Standing gradeOnce(const Entrant& entrant, const std::string& key) const;
     Print printOf(const std::string& entrant, const Submission& submission) const;
-    Unpacked laidOut(const Entrant& entrant, const Job& job) const;
     std::string repeated(const Submission& submission, const AssignmentResult& first) const;
     void writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const;
     std::string keyOf(const Entrant& entrant) const;
