@@ -73,9 +73,10 @@ run_packer() {
 case_name="two packages of one commit"
 for zone in UTC America/Los_Angeles; do
     for platform in gradescope prairielearn autolab; do
-        out=$zone/$platform
-        [[ $platform != gradescope ]] || out+=.zip
-        run_packer 0 "package-$platform" 06-rotation "$out"
+        options=("$zone/$platform")
+        [[ $platform != gradescope ]] || options[0]+=.zip
+        [[ $platform != prairielearn ]] || options+=(--seed 5)
+        run_packer 0 "package-$platform" 06-rotation "${options[@]}"
     done
 done
 unset zone
@@ -258,6 +259,10 @@ prairielearn "a mistake" < <(transposed)
 expect "pictures, within a megabyte" \
     'result.score < 1 && JSON.stringify(result).length < 1e6 &&
      result.tests.some(t => t.images && t.images[0].url.startsWith("data:image/png;base64,"))'
+expect "what is right only where that is no secret of the seed" \
+    'const images = part => result.tests.find(t => t.name.includes(part)).images.map(i => i.label);
+     images("A turn drawn from the seed").join() === "yours" &&
+     images("100 degrees").join() === "yours,right"'
 prairielearn "no C++" <<< "not a program"
 expect "no attempt" 'result.gradable === false && /rotation.cpp:1/.test(result.format_errors[0])'
 inside=chroot prairielearn "a spy" < <(spying /grade/tests/solutions/06-rotation/rotation.cpp)
@@ -308,6 +313,18 @@ tar -c -f "$work/handin.tar" -C "$work/handin" rotation.cpp link
 autolab "a refused archive" "$work/handin.tar"
 expect_code 0
 expect "no points, and why" 'result.scores["rotation"] === 0 && output.includes("it is refused: ")'
+chmod 755 "$work/machine/course"
+as_a_user='setpriv --reuid 65533 --regid 65533 --clear-groups /course/build/release/grader/grader'
+autolab "an ordinary user" "$solution"
+chown -R 65533 "$work/machine/lab"
+inside=chroot on_machine "cd /lab && $as_a_user 06-rotation --harness autolab" && complain "exit 0"
+expect "no mark without a sandbox, and what to do" \
+    'output.includes("there is no sandbox on this machine") && output.includes("--no-sandbox") &&
+     !output.includes("scores")'
+inside=chroot on_machine "cd /lab && $as_a_user 06-rotation --harness autolab --no-sandbox" ||
+    complain "exit code $?"
+expect "a mark, and the doubt" \
+    'output.includes("grade only code that you trust") && output.includes("\"scores\"")'
 rm "$work/machine/course/build/release/grader/toolchain.json"
 autolab "a fault of the grader" "$solution"
 expect_code 2
