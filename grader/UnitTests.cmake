@@ -36,13 +36,14 @@ grader_add_unit_tests(grader_unit_tests
         src/batch/Merge_test.cpp src/batch/Similarity_test.cpp
         src/compare/FrameScore_test.cpp src/course/Course_test.cpp
         src/doctor/Doctor_test.cpp src/formats/Formats_test.cpp
+        src/harness/SubmissionMetadata_test.cpp
         src/package/CourseFiles_test.cpp src/package/Leaks_test.cpp
         src/pull_request/Markdown_test.cpp
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
         unpack/Unpack_test.cpp
-    LINK grader_batch grader_course grader_package grader_pull_request unpacking)
+    LINK grader_batch grader_course grader_harness grader_package grader_pull_request unpacking)
 
 # The runner's parent, watching a subject that does what no submission should.
 add_library(grader_greedy_subject MODULE testing/GreedySubject.cpp)

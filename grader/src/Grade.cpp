@@ -52,16 +52,9 @@ AssignmentResult Grader::grade(const Manifest& manifest, const Submission& submi
                                std::uint64_t seed) const {
     const auto start = std::chrono::steady_clock::now();
     Collected collected = collect(tools_.root, manifest, submission);
-    AssignmentResult result;
-    if (collected.unreadable.empty()) {
-        result = gradeStaged(manifest, collected.stage, seed);
-    } else {
-        StageResult graded;
-        graded.build.diagnostics = collected.unreadable;
-        graded.checks = unjudged(manifest);
-        result.tasks = groupByTask(manifest, std::move(graded.checks));
-        fillIn(result, manifest, graded, seed);
-    }
+    AssignmentResult result = collected.unreadable.empty()
+                                  ? gradeStaged(manifest, collected.stage, seed)
+                                  : refuse(manifest, seed, collected.unreadable);
     result.ignoredFiles = collected.ignored;
     result.notices.insert(result.notices.begin(), collected.notices.begin(),
                           collected.notices.end());
@@ -69,6 +62,16 @@ AssignmentResult Grader::grade(const Manifest& manifest, const Submission& submi
         if (file.role == Role::inherited)
             result.inherited[file.name] = file.origin;
     result.timing["total_seconds"] = secondsSince(start);
+    return result;
+}
+
+AssignmentResult Grader::refuse(const Manifest& manifest, std::uint64_t seed,
+                                std::vector<Diagnostic> why) const {
+    AssignmentResult result;
+    StageResult graded;
+    graded.build.diagnostics = std::move(why);
+    result.tasks = groupByTask(manifest, unjudged(manifest));
+    fillIn(result, manifest, graded, seed);
     return result;
 }
 
@@ -220,6 +223,13 @@ std::vector<CheckResult> Grader::unjudged(const Manifest& manifest) const {
         check.hint.clear();
     }
     return checks;
+}
+
+std::set<std::string> Grader::checkIds(const Manifest& manifest) const {
+    std::set<std::string> ids;
+    for (const CheckResult& each : unjudged(manifest))
+        ids.insert(each.id);
+    return ids;
 }
 
 std::map<std::string, Picture> Grader::draw(const Manifest& manifest, const Stage& stage,

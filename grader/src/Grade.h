@@ -22,6 +22,10 @@ public:
     AssignmentResult grade(const Manifest& manifest, const Submission& submission,
                            std::uint64_t seed) const;
 
+    /// The result of a submission that cannot be taken as it is, which loses everything.
+    AssignmentResult refuse(const Manifest& manifest, std::uint64_t seed,
+                            std::vector<Diagnostic> why) const;
+
     /// The same from a stage: build, observe, judge, with what its tasks need mended and mistakes
     /// recognised. `stage` is changed where another file had to be taken.
     AssignmentResult gradeStaged(const Manifest& manifest, Stage& stage, std::uint64_t seed) const;
@@ -43,6 +47,9 @@ public:
     /// The frames that a stage draws; throws Error when it does not build or a frame fails.
     std::map<std::string, Picture> draw(const Manifest& manifest, const Stage& stage,
                                         std::uint64_t seed) const;
+
+    /// Ids of all checks there are.
+    std::set<std::string> checkIds(const Manifest& manifest) const;
 
     /// The stage of the starter or of the solution ("assignments", "solutions").
     Stage stageOf(const Manifest& manifest, const std::string& tree) const;

@@ -91,6 +91,15 @@ AssignmentLimits readLimits(Fields fields) {
     return limits;
 }
 
+std::map<std::string, std::string> readVisibility(Fields& fields) {
+    auto all = fields.get<std::map<std::string, std::string>>("visibility", {});
+    for (const auto& [check, visibility] : all)
+        if (visibility != kVisible && visibility != kAfterDueDate && visibility != kHidden)
+            throw Error("{}: field \"visibility\": \"{}\": expected {}, {} or {}, found \"{}\"",
+                        fields.where(), check, kVisible, kAfterDueDate, kHidden, visibility);
+    return all;
+}
+
 /// Ids name suites, pictures and rows of the report.
 template <class T>
 void requireDistinctIds(const std::vector<T>& all, const char* what, const std::string& file) {
@@ -169,6 +178,11 @@ double Manifest::framePoints(const std::string& taskId) const {
     return sum;
 }
 
+std::string Manifest::visibilityOf(const std::string& checkId) const {
+    const auto at = visibility.find(checkId);
+    return at == visibility.end() ? kVisible : at->second;
+}
+
 std::vector<Task> Manifest::automaticTasks() const {
     std::vector<Task> automatic;
     std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(automatic),
@@ -221,6 +235,7 @@ Manifest Manifest::parse(const std::string& text, const fs::path& folder) {
     for (const Fields& frame : fields.list("frames"))
         manifest.frames.push_back(readFrame(frame));
     manifest.starterPasses = fields.get<std::vector<std::string>>("starter_passes", {});
+    manifest.visibility = readVisibility(fields);
     fields.done();
     requireConsistent(manifest, file);
     return manifest;

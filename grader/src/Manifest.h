@@ -47,6 +47,9 @@ struct AssignmentLimits {
     int outputKib = 64;
 };
 
+inline constexpr const char *kVisible = "visible", *kAfterDueDate = "after_due_date",
+                            *kHidden = "hidden";
+
 struct Manifest {
     static constexpr int kFormat = 1;
 
@@ -59,10 +62,13 @@ struct Manifest {
     std::vector<Task> tasks;
     std::vector<Frame> frames;
     std::vector<std::string> starterPasses;  ///< checks that the starter may pass
+    /// Check id → when a learning platform shows it: kVisible, kAfterDueDate, kHidden.
+    std::map<std::string, std::string> visibility;
 
     const Task* task(const std::string& taskId) const;
     std::vector<Task> automaticTasks() const;  ///< those that are not manual
     double framePoints(const std::string& taskId) const;
+    std::string visibilityOf(const std::string& checkId) const;  ///< kVisible where none is given
 
     /// Throws Error for anything that FORMAT.md does not allow.
     static Manifest load(const fs::path& folder);

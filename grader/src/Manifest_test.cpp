@@ -79,6 +79,18 @@ TEST_F(LoadingManifest, AValidOneHasAllItsFields) {
     EXPECT_EQ(manifest.task("none"), nullptr);
 }
 
+TEST_F(LoadingManifest, VisibilityIsOneOfThreeWords) {
+    json["visibility"] = {{"LookAt.Something", "after_due_date"}, {"pole", "hidden"}};
+    const Manifest manifest = load();
+    EXPECT_EQ(manifest.visibilityOf("LookAt.Something"), kAfterDueDate);
+    EXPECT_EQ(manifest.visibilityOf("pole"), kHidden);
+    EXPECT_EQ(manifest.visibilityOf("LookAt.Other"), kVisible);
+    json["visibility"] = {{"pole", "after_published"}};
+    EXPECT_EQ(complaint(),
+              ": field \"visibility\": \"pole\": expected visible, after_due_date or hidden, found "
+              "\"after_published\"");
+}
+
 TEST_F(LoadingManifest, WhatMayBeLeftOut) {
     for (const char* name : {"inherits", "limits", "frames", "starter_passes"})
         json.erase(name);

@@ -77,6 +77,8 @@ Json jsonOf(const CheckResult& check) {
                  {"max_points", rounded(check.maxPoints)},
                  {"message", check.message},
                  {"hint", check.hint}};
+    if (check.visibility != kVisible)
+        json["visibility"] = check.visibility;
     if (check.comparison)
         json["comparison"] = jsonOf(*check.comparison);
     addShare(json, check.points, check.maxPoints);
@@ -213,6 +215,8 @@ std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckR
         for (CheckResult& check : checks)
             if (check.task == task.id)
                 result.checks.push_back(std::move(check));
+        for (CheckResult& check : result.checks)
+            check.visibility = manifest.visibilityOf(check.id);
         if (task.manual)
             leaveToAPerson(task, result.checks);
         for (const CheckResult& check : result.checks)

@@ -50,6 +50,7 @@ struct CheckResult {
     std::string hint;
     std::vector<std::string> todos;         ///< unfilled regions that were reached
     bool hidden = false;                    ///< a test that students do not have
+    std::string visibility = kVisible;      ///< when a learning platform shows it
     std::vector<judge::Evidence> evidence;  ///< what the subject answered
     std::optional<Comparison> comparison;
     std::vector<FeatureResult> features;  ///< of a frame whose points belong to features

@@ -155,6 +155,21 @@ TEST(GroupByTask, KeepsTheManifestsOrderAndSumsUp) {
     EXPECT_EQ(tasks[1].status, Status::pass);
 }
 
+TEST(GroupByTask, ChecksKnowWhenTheyAreShownAndTheDocumentSaysWhereItIsNotAlways) {
+    Manifest manifest;
+    manifest.tasks = {{"a", "A", "", 100, {}}};
+    manifest.visibility = {{"A.2", kAfterDueDate}};
+    std::vector<CheckResult> checks = {check("A.1", Status::pass, 50, 50),
+                                       check("A.2", Status::pass, 50, 50)};
+    for (CheckResult& each : checks)
+        each.task = "a";
+    AssignmentResult result = sampleResult();
+    result.tasks = groupByTask(manifest, checks);
+    const Json document = documentOf(result);
+    EXPECT_FALSE(document["tasks"][0]["checks"][0].contains("visibility"));
+    EXPECT_EQ(document["tasks"][0]["checks"][1]["visibility"], "after_due_date");
+}
+
 TEST(AssignmentResult, FullNotStartedAndFailed) {
     AssignmentResult result = sampleResult();
     EXPECT_FALSE(result.full());

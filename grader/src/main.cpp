@@ -13,6 +13,7 @@
 #include "commands/ExportCommand.h"
 #include "commands/GradeCommand.h"
 #include "commands/PackageCommand.h"
+#include "commands/PackagePlatform.h"
 #include "commands/PullRequestCommand.h"
 
 namespace {
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
     grader::addExportCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
+    grader::addPackagePlatformCommands(app, exitCode);
     grader::addWindowCommand(app, exitCode);
     grader::addDebugCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);

@@ -154,7 +154,7 @@ std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) con
 
 Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
     const Job unpacking;
-    const Unpacked unpacked = laidOut(entrant, unpacking);
+    const Unpacked unpacked = layOut(grader_.tools(), sandbox_, unpacking, entrant, known_);
     if (!unpacked.refusal.empty()) {
         Json document = {
             {"format", 1},
@@ -218,26 +218,6 @@ Print Batch::printOf(const std::string& entrant, const Submission& submission) c
 }
 
 /// Where the submission's files are, as a folder.
-Unpacked Batch::laidOut(const Entrant& entrant, const Job& job) const {
-    const Toolchain& tools = grader_.tools();
-    switch (entrant.kind) {
-        case EntrantKind::archive:
-            return unpackArchive(tools, sandbox_, job, entrant.path, known_);
-        case EntrantKind::clone:
-            return unpackClone(tools, sandbox_, job, entrant.path, known_);
-        case EntrantKind::looseFiles: {
-            const fs::path folder = job.work.path() / "submission";
-            fs::create_directories(folder);
-            for (const LooseFile& each : entrant.files)
-                fs::copy_file(each.path, folder / each.name);
-            return {folder, "", ""};
-        }
-        case EntrantKind::folder:
-            break;
-    }
-    return {entrant.path, "", ""};
-}
-
 /// With a secret seed the instructor has a report and a document of their own, with all pictures.
 void Batch::writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const {
     const fs::path report = ledger_.folderOf(entrant) / "report",

@@ -42,7 +42,6 @@ private:
     std::optional<Standing> known(const Entrant& entrant, const Key& key) const;
     Standing gradeOnce(const Entrant& entrant, const Key& key) const;
     Print printOf(const std::string& entrant, const Submission& submission) const;
-    Unpacked laidOut(const Entrant& entrant, const Job& job) const;
     std::string repeated(const Submission& submission, const AssignmentResult& first) const;
     void writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const;
     Json markAgain(const std::string& entrant, Json document) const;

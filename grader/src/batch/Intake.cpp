@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "Archive.h"
 #include "Error.h"
 #include "batch/Csv.h"
 #include "batch/Platforms.h"
@@ -81,6 +80,26 @@ Entrant entrantOf(const std::string& name, const fs::path& folder, const Manifes
     if (const auto archive = archiveInside(folder, manifest, known))
         return {name, *archive, EntrantKind::archive};
     return {name, folder, EntrantKind::folder};
+}
+
+Unpacked layOut(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                const Entrant& entrant, const std::vector<std::string>& known) {
+    switch (entrant.kind) {
+        case EntrantKind::archive:
+            return unpackArchive(tools, sandbox, job, entrant.path, known);
+        case EntrantKind::clone:
+            return unpackClone(tools, sandbox, job, entrant.path, known);
+        case EntrantKind::looseFiles: {
+            const fs::path folder = job.work.path() / "submission";
+            fs::create_directories(folder);
+            for (const LooseFile& each : entrant.files)
+                fs::copy_file(each.path, folder / each.name);
+            return {folder, "", ""};
+        }
+        case EntrantKind::folder:
+            break;
+    }
+    return {entrant.path, "", ""};
 }
 
 Intake takeIn(const fs::path& submissions, const Manifest& manifest,

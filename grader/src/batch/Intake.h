@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "Archive.h"
 #include "Manifest.h"
 #include "batch/Moment.h"
 
@@ -58,5 +59,9 @@ std::optional<std::string> stemOfArchive(const std::string& name);
 /// What a folder is: a git clone, an archive that it stands for, or itself.
 Entrant entrantOf(const std::string& name, const fs::path& folder, const Manifest& manifest,
                   const std::vector<std::string>& knownAssignments);
+
+/// The folder with an entrant's files: where it is, or unpacked or copied into the job's folder.
+Unpacked layOut(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
+                const Entrant& entrant, const std::vector<std::string>& knownAssignments);
 
 }  // namespace grader

@@ -51,6 +51,16 @@ void checkStarter(const Grader& grader, const Manifest& manifest, Findings& find
                          mend + ", or the check, or \"starter_passes\" in assignment.json");
 }
 
+/// A misspelt id would show what is meant to be hidden.
+void checkVisibility(const Grader& grader, const Manifest& manifest, Findings& findings) {
+    const auto ids = grader.checkIds(manifest);
+    for (const auto& [id, visibility] : manifest.visibility)
+        if (!ids.contains(id))
+            findings.add(fmt::format("\"visibility\" names \"{}\", and there is no such check", id),
+                         "edit assignment.json; the checks are " +
+                             fmt::format("{}", fmt::join(ids, ", ")));
+}
+
 void checkSolution(const Grader& grader, const Manifest& manifest, Findings& findings,
                    DriverComparison* drivers) {
     const Stage stage = grader.stageOf(manifest, "solutions");
@@ -90,6 +100,7 @@ void checkVariant(const Grader& grader, const Manifest& manifest, const fs::path
 
 void checkPrograms(const Grader& grader, const Manifest& manifest, Findings& findings,
                    DriverComparison* drivers) {
+    checkVisibility(grader, manifest, findings);
     checkStarter(grader, manifest, findings);
     checkSolution(grader, manifest, findings, drivers);
     const fs::path folder = grader.tools().root / "solutions" / manifest.id;

@@ -4,7 +4,10 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "Error.h"
@@ -48,6 +51,27 @@ void check(archive* writer, int status, const fs::path& file) {
     if (status < ARCHIVE_OK)
         throw Error("{} cannot be written: {}", file.string(), archive_error_string(writer));
 }
+
+/// libarchive writes a zip's times in the time zone of who packs; so that is UTC here. (Not while
+/// other threads ask for the time.)
+class InUtc {
+public:
+    InUtc() {
+        if (const char* zone = std::getenv("TZ"))
+            before_ = zone;
+        setenv("TZ", "UTC0", 1);
+        tzset();
+    }
+    ~InUtc() {
+        before_ ? setenv("TZ", before_->c_str(), 1) : unsetenv("TZ");
+        tzset();
+    }
+    InUtc(const InUtc&) = delete;
+    InUtc& operator=(const InUtc&) = delete;
+
+private:
+    std::optional<std::string> before_;
+};
 
 void writeEntries(const CourseFiles& course, archive* writer, const fs::path& file) {
     for (const auto& [path, each] : course.files) {
@@ -108,6 +132,7 @@ void writeArchive(const CourseFiles& course, const fs::path& archive) {
     if (end != ".zip" && end != ".tar")
         throw Error("{}: expected a name that ends with .zip or .tar", archive.string());
     const fs::path made = archive.string() + ".new";
+    const InUtc utc;
     try {
         const std::unique_ptr<::archive, CloseArchive> writer(archive_write_new());
         check(writer.get(),
