@@ -7,17 +7,21 @@
 # In there, this script is the first process, and knows it by its number.
 
 set -euo pipefail
+attack=run-children-eat-memory
 done_line="everything about cgroups holds"
 
 outside() {
-    local course=$1 linux output
+    local grader=$3 hostile=$4 linux output
     if ! linux=$(command -v linux.uml); then
         echo "NOT RUN: linux.uml is missing (package user-mode-linux)"
         exit 77
     fi
+    # In there compilers are slow: what they make comes out of the object cache, filled here.
+    "$grader" 06-rotation --submission solutions > /dev/null
+    "$hostile" --only "$attack" > /dev/null
     # What follows -- are arguments of the first process.
     output=$(timeout --kill-after 5 240 "$linux" root=/dev/root rootfstype=hostfs rootflags=/ ro \
-        mem=3G quiet con=null con0=null,fd:1 "init=$(readlink -f "$0")" -- "$@" \
+        mem=3G quiet loglevel=1 con=null con0=null,fd:1 "init=$(readlink -f "$0")" -- "$@" \
         < /dev/null 2>&1 | tr -d '\r' | tee /dev/stderr)
     [[ $output == *"$done_line"* ]] || { echo "not everything was as it must be: see above" && exit 1; }
 }
@@ -36,8 +40,7 @@ run_all() {
     said=$("$@" "$unit_tests" --gtest_filter='RealCgroup.*' --gtest_brief=1 2>&1) || true
     echo "$said"
     [[ $said == *"[  PASSED  ] "[1-9]* && $said != *SKIPPED* ]]
-    "$@" "$grader" doctor --json | grep -A 2 '"id": "cgroup"' > /dev/null
-    "$@" "$grader" doctor | grep '✓ limits on memory and threads in sum'
+    { "$@" "$grader" doctor || true; } | grep '✓ limits on memory and threads in sum'
     "$@" "$grader" 06-rotation --submission solutions --json /tmp/result.json
     rm /tmp/result.json
 }
@@ -52,14 +55,14 @@ inside() {
     mkdir -p /dev/pts /dev/shm
     mount -t devpts pts /dev/pts
     local each
-    for each in /dev/shm /tmp /run /var/cache "$course/build/release/cache"; do
+    for each in /dev/shm /tmp /run /var/cache; do
         mount -t tmpfs -o mode=1777 none "$each"
     done
     ip link set lo up
     cd "$course"
 
     run_all "root" env
-    "$hostile" --only run-children-eat-memory
+    "$hostile" --only "$attack"
 
     # A cgroup that an ordinary user may divide up, as systemd gives it with Delegate=yes.
     echo "+memory +pids" > /sys/fs/cgroup/cgroup.subtree_control
