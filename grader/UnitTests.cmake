@@ -1,8 +1,12 @@
 # One program with the unit tests of this folder, which stand beside what they test. Helpers are
-# programs that a test starts: a runner that answers as it is told, and one that tries its sandbox.
+# programs that a test starts: a runner that answers as it is told, and one that tries its sandbox;
+# and a subject that does what no submission should.
 add_executable(grader_fake_runner testing/FakeRunner.cpp)
 target_link_libraries(grader_fake_runner PRIVATE protocol course_warnings)
 add_executable(grader_sandbox_probe testing/SandboxProbe.cpp)
+add_library(grader_greedy_subject MODULE testing/GreedySubject.cpp)
+target_include_directories(grader_greedy_subject PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(grader_greedy_subject PRIVATE cg protocol course_warnings)
 # Sanitizers take more memory than the limits under test allow.
 target_compile_options(grader_sandbox_probe PRIVATE -fno-sanitize=all)
 target_link_options(grader_sandbox_probe PRIVATE -fno-sanitize=all)
@@ -16,8 +20,10 @@ function(grader_add_unit_tests name)
         ${arg_LINK} GTest::gmock GTest::gtest_main course_test)
     target_compile_definitions(${name} PRIVATE
         FAKE_RUNNER="$<TARGET_FILE:grader_fake_runner>"
-        SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>" CONFINE="$<TARGET_FILE:confine>")
-    add_dependencies(${name} grader_fake_runner grader_sandbox_probe confine)
+        SANDBOX_PROBE="$<TARGET_FILE:grader_sandbox_probe>" CONFINE="$<TARGET_FILE:confine>"
+        RUNNER="$<TARGET_FILE:runner>" GREEDY_SUBJECT="$<TARGET_FILE:grader_greedy_subject>")
+    add_dependencies(${name} grader_fake_runner grader_sandbox_probe grader_greedy_subject confine
+        runner)
     gtest_discover_tests(${name} TEST_PREFIX grader.
         PROPERTIES TIMEOUT 60 RUN_SERIAL TRUE FAIL_REGULAR_EXPRESSION "Running 0 tests")
 endfunction()
@@ -45,14 +51,8 @@ grader_add_unit_tests(grader_unit_tests
         unpack/Unpack_test.cpp
     LINK grader_batch grader_course grader_harness grader_package grader_pull_request unpacking)
 
-# The runner's parent, watching a subject that does what no submission should.
-add_library(grader_greedy_subject MODULE testing/GreedySubject.cpp)
-target_include_directories(grader_greedy_subject PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(grader_greedy_subject PRIVATE cg protocol course_warnings)
+# The runner's parent, watching that subject.
 grader_add_unit_tests(runner_tests SOURCES runner/Child_test.cpp LINK runner_core)
-target_compile_definitions(runner_tests PRIVATE
-    GREEDY_SUBJECT="$<TARGET_FILE:grader_greedy_subject>")
-add_dependencies(runner_tests grader_greedy_subject)
 
 # Pages in a browser: reports by the grader itself, one that has everything, a class of 500.
 add_executable(grader_sample_report testing/SampleReport.cpp)

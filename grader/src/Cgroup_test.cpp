@@ -337,6 +337,36 @@ TEST_F(RealCgroup, ARunnerThatTakesTooMuchIsCalledSoAndTheNextRequestGetsANewOne
     EXPECT_EQ(answer.detail, "24 MiB");
 }
 
+/// All the way: bubblewrap, the runner in it, the child that loads the subject. There is no other
+/// limit of memory, so nothing but the kernel ends it.
+TEST_F(RealCgroup, ASubmissionThatTakesTooMuchCostsItsOwnRequestOnly) {
+    const testing_help::Tree tree;
+    fs::create_directories(tree / "in");
+    for (const char* each : {RUNNER, CONFINE, GREEDY_SUBJECT})
+        fs::copy_file(each, tree / "in" / fs::path(each).filename());
+    const auto at = [&](const char* file) { return tree / "in" / fs::path(file).filename(); };
+    const JobUser user;
+    shareWithSandbox(tree / "in", user.id(), false);
+    for (const char* each : {RUNNER, CONFINE})
+        fs::permissions(at(each), fs::perms(0755));
+    const Cgroup cgroup({300, 60});
+    Confinement confinement;
+    confinement.readable = {tree / "in"};
+    confinement.workingFolder = tree / "in";
+    confinement.user = user.id();
+    confinement.cgroup = cgroup.folder();
+    confinement.limits.memoryMib = 0;
+    const auto subject = judge::startSubject(
+        chooseSandbox(at(CONFINE))
+            ->confine(confinement, {at(RUNNER), at(GREEDY_SUBJECT), "/", "auto"}),
+        {cgroup.folder().string(), 100, 50});
+    subject->callTimeoutMs = 20000;
+    EXPECT_EQ(subject->call<int>("modest", 1), 2);
+    EXPECT_EQ(testing_help::whatOf<judge::SubjectFailure>([&] { subject->call<int>("eat", 1); }),
+              "eat asked for more memory than it may have (100 MiB)");
+    EXPECT_EQ(subject->call<int>("modest", 1), 2);
+}
+
 TEST_F(RealCgroup, WhatAKilledGraderLeftIsRemovedWithAllThatRunsInIt) {
     int report[2];
     ASSERT_EQ(pipe(report), 0);

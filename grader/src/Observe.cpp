@@ -27,12 +27,12 @@ constexpr int kMostLateFrames = 3;
 
 /// What a runner may use with all that it starts. It has a child for a call beside the one that
 /// draws, each of which may have all that a submission may; files in memory; itself and bubblewrap.
-/// So this is never reached but by code that took more than its share.
+/// So no memory runs out but for code that took more than its share. Of processes there are no more
+/// than the sandbox's own limit allows, so that it is always this one that is noticed.
 CgroupLimits limitsOf(const Manifest& manifest) {
-    constexpr int kChildren = 2, kFilesInMemoryMib = 128, kOwnMib = 64, kOwnProcesses = 4;
+    constexpr int kChildren = 2, kFilesInMemoryMib = 128, kOwnMib = 64;
     const int memory = memoryForOwn(manifest.limits.memoryMib);
-    return {memory > 0 ? kChildren * memory + kFilesInMemoryMib + kOwnMib : 0,
-            Limits{}.processes + kOwnProcesses};
+    return {memory > 0 ? kChildren * memory + kFilesInMemoryMib + kOwnMib : 0, Limits{}.processes};
 }
 
 /// What a submission is told when the kernel steps in.

@@ -1,6 +1,9 @@
-// A subject whose functions take more than they may have: what Child_test.cpp runs.
+// A subject whose functions take more than they may have: what Child_test.cpp and Cgroup_test.cpp
+// run.
 
 #include <fcntl.h>
+
+#include <cstring>
 
 #include "runner/Harness.h"
 
@@ -10,6 +13,11 @@ CG_HARNESS(harness) {
         volatile int turns = value;
         while (turns >= 0)
             turns = turns ^ 1;
+        return 0;
+    });
+    harness.function("eat", [](int value) {
+        for (;;)
+            std::memset(new char[1 << 20], value, 1 << 20);
         return 0;
     });
     harness.function("hoard", [](int value) {
