@@ -54,8 +54,10 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
         throw Error("{} cannot be started: {}", command.front(), std::strerror(errno));
 
     ProcessResult result;
-    const auto end = std::min<time_point<steady_clock, duration<double>>>(
-        steady_clock::now() + duration<double>(timeoutSeconds), TimeBox::end());
+    const time_point<steady_clock, duration<double>> own =
+        steady_clock::now() + duration<double>(timeoutSeconds);
+    const bool boxed = TimeBox::end() < own;
+    const auto end = boxed ? TimeBox::end() : own;
     for (char buffer[16384];;) {
         const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
         pollfd waiting{pipes[0], POLLIN, 0};
@@ -89,8 +91,8 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
         result.signal = WTERMSIG(status);
     else
         result.exitCode = WEXITSTATUS(status);
-    if (result.timedOut)
-        TimeBox::check();
+    if (result.timedOut && boxed)
+        TimeBox::giveUp();
     return result;
 }
 

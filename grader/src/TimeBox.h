@@ -26,6 +26,8 @@ public:
     static bool isOver() { return Clock::now() >= end(); }
     /// Throws Error when it is over.
     static void check();
+    /// Throws it at once.
+    [[noreturn]] static void giveUp();
 
 private:
     Clock::time_point before_;

@@ -5,59 +5,18 @@
 
 #include <random>
 
-#include "Lab.h"
+#include "BatchLab.h"
 
 namespace {
 
+using lab::BatchTest;
 using lab::Graded;
 using lab::Json;
+using lab::kRotation;
 using lab::Submission;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = lab::fs;
-
-const std::string kRotation = "06-rotation/rotation.cpp";
-
-class BatchTest : public testing::Test {
-protected:
-    BatchTest() {
-        fs::create_directories(home());
-        put("honest", Submission());
-        Submission half;
-        half.solve(kRotation, "cross-matrix", "    return glm::mat3(0.0f);\n");
-        put("half", half);
-        Submission broken;
-        broken.write(kRotation, "this is no C++\n");
-        put("broken", broken);
-        lab::writeFile(home() / "text.zip", "my homework");
-        lab::writeFile(home() / "list.txt", "alpha, beta");
-    }
-
-    fs::path home() const { return work_.path() / "submissions"; }
-    fs::path out() const { return work_.path() / "out"; }
-    void put(const std::string& name, const Submission& submission) const {
-        fs::create_directories(home() / name);
-        fs::copy(submission.folder() / "06-rotation", home() / name / "06-rotation",
-                 fs::copy_options::recursive);
-    }
-    Graded batch(std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments = {"batch",       home().string(), "--assignment",
-                                              "06-rotation", "--out",         out().string()};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return lab::runGrader(arguments);
-    }
-    Json students() const {
-        return lab::parseJsonFile((out() / "results.json").string()).at("students");
-    }
-    Json student(const std::string& name) const {
-        for (const Json& each : students())
-            if (each.at("student") == name)
-                return each;
-        return nullptr;
-    }
-
-    lab::WorkFolder work_;
-};
 
 TEST_F(BatchTest, EverySubmissionHasAResultAndIsGradedOnce) {
     const Graded first = batch({"--jobs", "2"});
@@ -105,22 +64,6 @@ TEST_F(BatchTest, GradedThreeTimesHonestWorkComesOutAlike) {
         << "graded once is another thing than graded three times";
 }
 
-TEST_F(BatchTest, GoesOnWhereItWasKilled) {
-    // Killed as soon as the first of four is remembered.
-    lab::run({"bash", "-c",
-              "\"$0\" batch \"$1\" --assignment 06-rotation --out \"$2\" --jobs 1 & "
-              "until ls \"$2\"/students/*/key; do sleep 0.02; done; kill -9 $!",
-              COURSE_GRADER, home().string(), out().string()},
-             60);
-    EXPECT_FALSE(fs::exists(out() / "results.json")) << "it was not killed in time";
-    const Graded second = batch();
-    EXPECT_EQ(second.exitCode, 0) << second.text;
-    EXPECT_THAT(second.text, HasSubstr("4/4"));
-    EXPECT_THAT(second.text, HasSubstr("(as before)")) << "the largest is begun first";
-    EXPECT_EQ(student("honest").at("points"), 100.0);
-    EXPECT_EQ(student("half").at("points"), 75.0);
-}
-
 TEST_F(BatchTest, BadInputIsNamed) {
     EXPECT_EQ(batch({"--seed", "1"}).exitCode, 0);
     const Graded other = lab::runGrader(
@@ -131,56 +74,6 @@ TEST_F(BatchTest, BadInputIsNamed) {
                                            "06-rotation", "--out", out().string()});
     EXPECT_EQ(missing.exitCode, 2);
     EXPECT_THAT(missing.text, HasSubstr("there is no such folder"));
-}
-
-TEST_F(BatchTest, WhatVanishedIsNobodysFault) {
-    // The first of four holds the batch for the second that its build hangs; by then the rest is
-    // gone.
-    Submission slow;
-    slow.write(kRotation, std::string(100000, ' ') + "#include \"/dev/zero\"\nfor(;;);");
-    put("a-slow", slow);
-    lab::run({"bash", "-c",
-              "\"$0\" batch \"$1\" --assignment 06-rotation --out \"$2\" --jobs 1 & "
-              "until [ -e \"$2\"/students/a-slow ]; do sleep 0.01; done; rm -r \"$1\"/half; wait",
-              COURSE_GRADER, home().string(), out().string()},
-             120);
-    EXPECT_EQ(student("half").at("status"), "grader_error");
-    EXPECT_THAT(student("half").at("sentence").get<std::string>(), HasSubstr("and is gone"));
-    EXPECT_EQ(student("honest").at("points"), 100.0) << "the others have their marks";
-}
-
-TEST_F(BatchTest, OneFolderTakesOneBatchAtATime) {
-    fs::create_directories(out());
-    const auto locked =
-        lab::run({"flock", (out() / "lock").string(), COURSE_GRADER, "batch", home().string(),
-                  "--assignment", "06-rotation", "--out", out().string()},
-                 60);
-    EXPECT_EQ(locked.exitCode, 2);
-    EXPECT_THAT(locked.output, HasSubstr("another batch is writing to"));
-    EXPECT_FALSE(fs::exists(out() / "results.json"));
-}
-
-TEST_F(BatchTest, AFullDiskIsSaidAndNothingIsLost) {
-    fs::create_directories(out());
-    if (!lab::run({"mount", "-t", "tmpfs", "-o", "size=300k", "none", out().string()}, 10)
-             .succeeded())
-        GTEST_SKIP() << "a small disk cannot be mounted here";
-    const Graded full = batch();
-    EXPECT_EQ(full.exitCode, 2);
-    EXPECT_THAT(full.text, HasSubstr("No space left on device"));
-    lab::run({"mount", "-o", "remount,size=64m", out().string()}, 10);
-    const Graded again = batch();
-    EXPECT_EQ(again.exitCode, 0) << again.text;
-    EXPECT_EQ(student("honest").at("points"), 100.0);
-    EXPECT_EQ(student("half").at("points"), 75.0);
-    lab::run({"umount", out().string()}, 10);
-}
-
-TEST_F(BatchTest, AnOutputThatCannotBeWrittenIsNamed) {
-    const Graded graded = lab::runGrader({"batch", home().string(), "--assignment", "06-rotation",
-                                          "--out", (home() / "list.txt" / "out").string()});
-    EXPECT_EQ(graded.exitCode, 2);
-    EXPECT_THAT(graded.text, HasSubstr("list.txt"));
 }
 
 TEST_F(BatchTest, ARepositoryIsReadFromItsCommitAndRunsNothing) {

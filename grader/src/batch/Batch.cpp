@@ -143,7 +143,11 @@ std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) con
     if (!found)
         return std::nullopt;
     if (found->wording != key.wording) {
-        found->result = markAgain(entrant.name, std::move(found->result));
+        try {
+            found->result = markAgain(entrant.name, std::move(found->result));
+        } catch (const Json::exception&) {
+            return std::nullopt;  // something of it is not there any more
+        }
         ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
     }
     Standing standing = standingFrom(entrant.name, std::move(found->result));

@@ -41,7 +41,7 @@ Crew::Done Crew::run(std::size_t count, const std::function<Standing(std::size_t
         tell(standing);
         all.done.standings[piece] = std::move(standing);
     };
-    const auto labour = [shift, count, &work, &stop, settle](Shift::Worker& self) {
+    const auto labour = [shift, count, work, &stop, settle](Shift::Worker& self) {
         std::unique_lock lock(shift->mutex);
         while (!self.leftBehind && shift->next < count && !stop) {
             const std::size_t piece = self.piece = shift->next++;

@@ -82,10 +82,12 @@ std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::
 }
 
 std::string lineOf(const Standing& standing) {
+    const char* before = standing.fromBefore ? " (as before)" : "";
     if (!standing.sentence.empty())
-        return fmt::format("{}: {}: {}", standing.entrant, standing.status, standing.sentence);
+        return fmt::format("{}: {}: {}{}", standing.entrant, standing.status, standing.sentence,
+                           before);
     return fmt::format("{} {:g} of {:g}{}", standing.entrant, standing.points, standing.maxPoints,
-                       standing.fromBefore ? " (as before)" : "");
+                       before);
 }
 
 /// Everything that people say about the class.
@@ -158,6 +160,39 @@ std::vector<Entrant> chosen(const ClassList& list, const Options& options, const
     return entrants;
 }
 
+struct Graded {
+    std::map<std::string, Standing> standings;  ///< by the entrant's name
+    bool someoneWasLeftBehind = false;          ///< see Crew
+};
+
+Graded gradeAll(const Options& options, const Batch& batch, const std::vector<Entrant>& entrants) {
+    Progress progress(entrants.size(), options.quiet);
+    Crew::Done done =
+        batch.run(entrants, options.jobs, options.fresh, stop, [&](const Standing& standing) {
+            progress.count(lineOf(standing), standing.graderFailed(), standing.fromBefore);
+        });
+    progress.end();
+    Graded graded;
+    graded.someoneWasLeftBehind = done.someoneWasLeftBehind;
+    for (auto& each : done.standings)
+        if (each)
+            graded.standings.emplace(each->entrant, std::move(*each));
+    return graded;
+}
+
+/// Returns the exit code.
+int sayHowItEnded(const Graded& graded, std::size_t entrants) {
+    const auto faults = static_cast<std::size_t>(
+        std::count_if(graded.standings.begin(), graded.standings.end(),
+                      [](const auto& each) { return each.second.graderFailed(); }));
+    const std::size_t left = entrants - graded.standings.size();
+    std::cout << fmt::format("{} of {} submissions have a result{}{}\n",
+                             graded.standings.size() - faults, entrants,
+                             faults ? fmt::format(", {} met a fault of the grader", faults) : "",
+                             left ? ", stopped: the same command goes on" : "");
+    return faults || left ? kGraderFailed : kFullMarks;
+}
+
 int runBatch(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Manifest manifest = loadAssignment(tools.root, options.assignment);
@@ -189,19 +224,10 @@ int runBatch(const Options& options) {
         {seed, keyOfRules(grader, *sandbox, manifest, seed),
          options.longest.value_or(longestGrading(manifest) * (options.stable ? 3 : 1)),
          options.stable});
-    Progress progress(entrants.size(), options.quiet);
-    std::map<std::string, Standing> standings;
-    Crew::Done done =
-        batch.run(entrants, options.jobs, options.fresh, stop, [&](const Standing& standing) {
-            progress.count(lineOf(standing), standing.graderFailed(), standing.fromBefore);
-        });
-    for (auto& each : done.standings)
-        if (each)
-            standings.emplace(each->entrant, std::move(*each));
-    progress.end();
+    const Graded graded = gradeAll(options, batch, entrants);
 
     const auto marks =
-        marksOf(manifest, list, standings, options.attempt, rules.policy, rules.overrides);
+        marksOf(manifest, list, graded.standings, options.attempt, rules.policy, rules.overrides);
     rules.overrides.remember();
     const auto likenesses = likenessesAmong(ledger, marks);
     const auto leftOut = notTaken(intake, everybody, rules);
@@ -213,18 +239,12 @@ int runBatch(const Options& options) {
                         {"cpu", cpuModel()}}},
                   out);
 
-    const auto faults = std::count_if(standings.begin(), standings.end(),
-                                      [](const auto& each) { return each.second.graderFailed(); });
-    const std::size_t left = entrants.size() - standings.size();
-    std::cout << fmt::format("{} of {} submissions have a result{}{}\n",
-                             standings.size() - static_cast<std::size_t>(faults), entrants.size(),
-                             faults ? fmt::format(", {} met a fault of the grader", faults) : "",
-                             left ? ", stopped: the same command goes on" : "");
+    const int exitCode = sayHowItEnded(graded, entrants.size());
     for (const std::string& each : leftOut)
         std::cout << "Look at: " << each << "\n";
     std::cout << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
-    const int exitCode = faults || left ? kGraderFailed : kFullMarks;
-    if (done.someoneWasLeftBehind) {
+    if (graded.someoneWasLeftBehind) {
+        // A thread that hangs still holds on to all this, so nothing may be taken apart.
         std::cout.flush();
         std::quick_exit(exitCode);
     }
