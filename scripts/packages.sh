@@ -13,8 +13,9 @@ build_packages=(
     libgtest-dev libgmock-dev
 )
 # To run the tests on top of that: a display without a screen, keys pressed on it, a browser that
-# looks at the report, driven by a program of Node's, the compiler of the fuzzers, and a cluster.
-test_packages=(xvfb xdotool nodejs clang slurm-wlm munge)
+# looks at the report, driven by a program of Node's, the compiler of the fuzzers, a cluster, and what
+# Autolab starts.
+test_packages=(xvfb xdotool nodejs clang slurm-wlm munge make)
 
 # add_machine_packages: to $test_packages, what not every machine is to get. Wants $system.
 add_machine_packages() {
