@@ -16,11 +16,11 @@ build_packages=(
 test_packages=(xvfb xdotool)
 
 # add_machine_packages: to $test_packages, what not every machine is to get: a browser that looks at
-# the report, driven by a program of Node's, the compiler of the fuzzers, and a cluster. None of it
-# is needed for the students' copy, which has no such tests. Wants $root and $system.
+# the report, driven by a program of Node's, the compiler of the fuzzers, a cluster, and
+# what Autolab starts. None of it is needed for the students' copy, which has no such tests. Wants $root and $system.
 add_machine_packages() {
     [[ -d $root/grader/tests ]] || return 0
-    test_packages+=(nodejs clang slurm-wlm munge)
+    test_packages+=(nodejs clang slurm-wlm munge make)
     [[ $system == ubuntu* ]] || test_packages+=(chromium)
     # Linux as a program, to try cgroups; whether others have it was not tried.
     [[ $system != "debian 12" ]] || test_packages+=(user-mode-linux)

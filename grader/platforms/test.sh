@@ -15,6 +15,7 @@ not_here() {
 ((EUID == 0)) || not_here "only root can lay out a platform's machine"
 unshare --mount true 2> /dev/null || not_here "mount namespaces are not allowed here"
 command -v node > /dev/null || not_here "node is missing (package nodejs), which reads the results"
+command -v make > /dev/null || not_here "make is missing, which Autolab starts"
 git -C "$course" rev-parse HEAD > /dev/null 2>&1 || not_here "$course is no git repository"
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/platforms-test-XXXXXX")
@@ -158,7 +159,7 @@ spying() {
 # ---------------------------------------------------------------- Gradescope
 autograder=$work/machine/autograder
 mkdir -p "$autograder/source"
-(cd "$autograder/source" && unzip -q "$work/UTC/gradescope.zip")
+(cd "$autograder/source" && cmake -E tar xf "$work/UTC/gradescope.zip")
 cp "$autograder/source/run_autograder" "$autograder/"
 grader_for /autograder/source/course "$autograder/source/course/build/release/grader"
 chmod 700 "$autograder/source" # as setup.sh does

@@ -23,6 +23,7 @@ struct Outcome {
     Scored scored;
 };
 
+/// What differs between platforms.
 class Harness {
 public:
     virtual ~Harness() = default;
@@ -32,7 +33,8 @@ public:
     virtual void deliverFault() const = 0;
 };
 
-bool showsAll(const AssignmentResult& result) {
+/// Gradescope shows no sum before the due date while a check waits for it.
+bool sumIsShown(const AssignmentResult& result) {
     for (const TaskResult& task : result.tasks)
         for (const CheckResult& check : task.checks)
             if (check.visibility == kAfterDueDate)
@@ -52,7 +54,7 @@ public:
         const fs::path metadata = home_ / "submission_metadata.json";
         if (fs::is_regular_file(metadata))
             for (std::string& each :
-                 remarksFrom(readFile(metadata), outcome.scored.points, showsAll(outcome.result)))
+                 remarksFrom(readFile(metadata), outcome.scored.points, sumIsShown(outcome.result)))
                 outcome.scored.remarks.push_back(std::move(each));
         write(gradescopeResult(outcome.scored));
     }
