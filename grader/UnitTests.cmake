@@ -31,9 +31,11 @@ grader_add_unit_tests(grader_unit_tests
         src/Collect_test.cpp src/Diagnostics_test.cpp src/Files_test.cpp
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp
-        src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Gradebook_test.cpp
+        src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Earlier_test.cpp
+        src/batch/Gallery_test.cpp src/batch/Gradebook_test.cpp
         src/batch/Merge_test.cpp src/batch/Similarity_test.cpp
-        src/compare/FrameScore_test.cpp src/course/Course_test.cpp
+        src/compare/FrameScore_test.cpp
+        src/course/Course_test.cpp
         src/doctor/Doctor_test.cpp src/formats/Formats_test.cpp
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     grader::addMergeCommand(app, exitCode);
     grader::addReplayCommand(app, exitCode);
     grader::addExportCommand(app, exitCode);
+    grader::addGalleryCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
     grader::addWindowCommand(app, exitCode);
