@@ -35,7 +35,7 @@ grader_add_unit_tests(grader_unit_tests
         src/batch/Gallery_test.cpp src/batch/Gradebook_test.cpp
         src/batch/Merge_test.cpp src/batch/Similarity_test.cpp
         src/compare/FrameScore_test.cpp
-        src/course/Course_test.cpp
+        src/course/Course_test.cpp src/course/NewAssignment_test.cpp
         src/doctor/Doctor_test.cpp src/formats/Formats_test.cpp
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
+    grader::addNewAssignmentCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));
