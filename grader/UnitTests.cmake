@@ -39,9 +39,10 @@ grader_add_unit_tests(grader_unit_tests
         src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp src/TimeBox_test.cpp
         src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Crew_test.cpp
-        src/batch/Gradebook_test.cpp
+        src/batch/Earlier_test.cpp src/batch/Gallery_test.cpp src/batch/Gradebook_test.cpp
         src/batch/Merge_test.cpp src/batch/Similarity_test.cpp
-        src/compare/FrameScore_test.cpp src/course/Course_test.cpp
+        src/compare/FrameScore_test.cpp
+        src/course/Course_test.cpp src/course/NewAssignment_test.cpp
         src/doctor/Doctor_test.cpp src/formats/Formats_test.cpp
         src/harness/SubmissionMetadata_test.cpp
         src/package/CourseFiles_test.cpp src/package/Leaks_test.cpp

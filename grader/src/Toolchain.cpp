@@ -18,8 +18,9 @@ Toolchain Toolchain::load() {
         Toolchain tools;
         tools.root = json.at("root").get<std::string>();
         tools.build = json.at("build").get<std::string>();
-        tools.kit = reachableKit(tools.build / "kit");
-        tools.kitFingerprint = fingerprintOf(tools.build / "kit");
+        const fs::path kit = fs::weakly_canonical(tools.build / "kit");
+        tools.kit = reachableKit(kit);
+        tools.kitFingerprint = fingerprintOf(kit);
         tools.cache = tools.build / "cache";
         tools.compiler = json.at("compiler");
         tools.compilerVersion = json.at("compiler_version");

@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     grader::addMergeCommand(app, exitCode);
     grader::addReplayCommand(app, exitCode);
     grader::addExportCommand(app, exitCode);
+    grader::addGalleryCommand(app, exitCode);
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
     grader::addPackagePlatformCommands(app, exitCode);
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
     grader::addPackageStudentsCommand(app, exitCode);
     grader::addPullRequestCommand(app, exitCode);
     grader::addSyncStartersCommand(app, exitCode);
+    grader::addNewAssignmentCommand(app, exitCode);
     grader::addCheckRecognitionCommand(app, exitCode);
     try {
         app.parse(withDefaultCommand(app, argc, argv));

@@ -1,5 +1,7 @@
 #include "batch/Overview.h"
 
+#include <set>
+
 #include "batch/Csv.h"
 
 namespace grader {
@@ -40,7 +42,8 @@ std::string Overview::csv() const {
     return text;
 }
 
-std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks) {
+std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks,
+                                      const std::vector<Print>& earlier) {
     std::map<std::string, Print> prints;
     for (const Mark& each : marks)
         if (auto print = each.submission.empty() ? std::nullopt : ledger.print(each.submission))
@@ -48,7 +51,15 @@ std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Ma
     std::vector<Print> all;
     for (auto& [name, print] : prints)
         all.push_back(std::move(print));
-    return nearlyIdentical(all);
+    // Earlier ones come last, so that each pair with one of today's begins with that.
+    std::set<std::string> known;
+    for (const Print& each : earlier) {
+        all.push_back(each);
+        known.insert(each.name);
+    }
+    std::vector<Likeness> found = nearlyIdentical(all);
+    std::erase_if(found, [&](const Likeness& each) { return known.contains(each.first); });
+    return found;
 }
 
 void writeOverview(const Overview& overview, const fs::path& out) {

@@ -28,8 +28,10 @@ struct Overview {
 /// `out`: the folder that it will lie in.
 std::string overviewPage(const Overview& overview, const fs::path& out);
 
-/// Submissions of these marks that are nearly identical.
-std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks);
+/// Submissions of these marks that are nearly identical, with each other or with one of `earlier`
+/// (earlierPrints).
+std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Mark>& marks,
+                                      const std::vector<Print>& earlier = {});
 
 /// Writes results.json, results.csv and index.html.
 void writeOverview(const Overview& overview, const fs::path& out);

@@ -11,6 +11,7 @@
 
 #include "Error.h"
 #include "batch/Batch.h"
+#include "batch/Earlier.h"
 #include "batch/Marks.h"
 #include "batch/Overview.h"
 #include "batch/Progress.h"
@@ -38,6 +39,7 @@ struct Shard {
 
 struct Options {
     std::string submissions, assignment, out, roster, policy, times, overrides;
+    std::vector<std::string> compareWith;
     AttemptRule attempt = AttemptRule::last;
     int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::optional<std::uint64_t> seed;
@@ -199,6 +201,7 @@ int runBatch(const Options& options) {
     const auto sandbox =
         chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
     const fs::path out = options.out;
+    const std::vector<Print> earlier = earlierPrints(options.compareWith, options.assignment);
     removeAbandonedWork();
     stopWhenAsked();
     Rules rules(options, manifest);
@@ -229,7 +232,7 @@ int runBatch(const Options& options) {
     const auto marks =
         marksOf(manifest, list, graded.standings, options.attempt, rules.policy, rules.overrides);
     rules.overrides.remember();
-    const auto likenesses = likenessesAmong(ledger, marks);
+    const auto likenesses = likenessesAmong(ledger, marks, earlier);
     const auto leftOut = notTaken(intake, everybody, rules);
     const auto classIds = namesOf(everybody);
     writeOverview({manifest, marks, leftOut, likenesses, classIds, seed,
@@ -281,6 +284,10 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
     command->add_option("--overrides", options.overrides,
                         "table of decisions that take the place of automatic points: student, "
                         "task, points, reason");
+    command->add_option(
+        "--compare-with", options.compareWith,
+        "--out of an earlier batch of the assignment, whose submissions get no mark "
+        "but are looked at for likenesses; may be said several times");
     command->add_option("--jobs", options.jobs, "submissions at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -10,4 +10,7 @@ void addReplayCommand(CLI::App& app, int& exitCode);
 /// "grader merge": puts together what several batches found.
 void addMergeCommand(CLI::App& app, int& exitCode);
 
+/// "grader gallery": the pictures of a class without names.
+void addGalleryCommand(CLI::App& app, int& exitCode);
+
 }  // namespace grader

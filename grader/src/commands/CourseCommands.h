@@ -10,6 +10,10 @@ void addUpdateReferencesCommand(CLI::App& app, int& exitCode);
 /// `grader check-course [ASSIGNMENT…]`: proves starters, solutions and mistakes consistent.
 void addCheckCourseCommand(CLI::App& app, int& exitCode);
 
+/// `grader new-assignment NN-name`: makes a small assignment that is whole, to be replaced step by
+/// step.
+void addNewAssignmentCommand(CLI::App& app, int& exitCode);
+
 /// `grader sync-starters [ASSIGNMENT…]`: carries text outside the TODO regions to the starters.
 void addSyncStartersCommand(CLI::App& app, int& exitCode);
 

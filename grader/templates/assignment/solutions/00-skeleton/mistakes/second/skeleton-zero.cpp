@@ -1,0 +1,4 @@
+    glm::vec2 place;
+    place.x = 0.0f * float(i);
+    place.y = 0.0f * float(n);
+    return place;

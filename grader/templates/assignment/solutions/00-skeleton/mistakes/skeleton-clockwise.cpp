@@ -1,0 +1,2 @@
+    const float angle = glm::radians(360.0f * float(i) / float(n));
+    return glm::vec2(std::sin(angle), std::cos(angle));
