@@ -1,8 +1,9 @@
 #include "batch/Similarity.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
+
+#include "TokenScanner.h"
 
 namespace grader {
 
@@ -16,65 +17,10 @@ const std::set<std::string> kKept = {
     "float",  "for",    "if",       "int",  "mat2",  "mat3",     "mat4", "return", "static",
     "struct", "switch", "unsigned", "vec2", "vec3",  "vec4",     "void", "while"};
 
-bool isNameStart(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+/// A word of the language is of its own kind, every other name is one like another.
+std::string kindOf(const Token& token) {
+    return kKept.contains(token.word) ? token.word : token.kind;
 }
-bool isNamePart(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
-/// Reads tokens one after the other, comments and blanks passed over.
-class Scanner {
-public:
-    explicit Scanner(const std::string& text) : text_(text) {}
-
-    /// False at the end. `kind` is what the token is, `word` what it says.
-    bool next(std::string& kind, std::string& word) {
-        skip();
-        if (at_ >= text_.size())
-            return false;
-        const std::size_t from = at_;
-        const char c = text_[at_];
-        if (isNameStart(c)) {
-            while (at_ < text_.size() && isNamePart(text_[at_]))
-                ++at_;
-            word = text_.substr(from, at_ - from);
-            kind = kKept.contains(word) ? word : "NAME";
-        } else if (std::isdigit(static_cast<unsigned char>(c))) {
-            while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '.'))
-                ++at_;
-            word = text_.substr(from, at_ - from);
-            kind = "NUMBER";
-        } else if (c == '"' || c == '\'') {
-            for (++at_; at_ < text_.size() && text_[at_] != c; ++at_)
-                at_ += text_[at_] == '\\';
-            at_ = std::min(at_ + 1, text_.size());
-            word = text_.substr(from, at_ - from);
-            kind = "STRING";
-        } else {
-            ++at_;
-            kind = word = std::string(1, c);
-        }
-        return true;
-    }
-
-private:
-    void skip() {
-        while (at_ < text_.size()) {
-            if (std::isspace(static_cast<unsigned char>(text_[at_])))
-                ++at_;
-            else if (text_.compare(at_, 2, "//") == 0)
-                at_ = std::min(text_.find('\n', at_), text_.size());
-            else if (text_.compare(at_, 2, "/*") == 0)
-                at_ = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
-            else
-                return;
-        }
-    }
-
-    const std::string& text_;
-    std::size_t at_ = 0;
-};
 
 constexpr std::uint64_t kPrime = 1099511628211ull, kBasis = 14695981039346656037ull;
 
@@ -98,16 +44,17 @@ std::map<std::uint64_t, std::vector<std::size_t>> ownersOf(const std::vector<Pri
 
 std::vector<std::string> tokensOf(const std::string& text) {
     std::vector<std::string> kinds;
-    std::string kind, word;
-    for (Scanner scanner(text); scanner.next(kind, word);)
-        kinds.push_back(kind);
+    TokenScanner scanner(text);
+    for (Token token; scanner.next(token);)
+        kinds.push_back(kindOf(token));
     return kinds;
 }
 
 std::string wordsOf(const std::string& text) {
-    std::string words, kind, word;
-    for (Scanner scanner(text); scanner.next(kind, word);)
-        words += word + " ";
+    std::string words;
+    TokenScanner scanner(text);
+    for (Token token; scanner.next(token);)
+        words += token.word + " ";
     return words;
 }
 

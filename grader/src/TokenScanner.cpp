@@ -1,0 +1,59 @@
+#include "TokenScanner.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace grader {
+
+namespace {
+
+bool isNameStart(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+bool isNamePart(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+}  // namespace
+
+bool TokenScanner::next(Token& token) {
+    skip();
+    if (at_ >= text_.size())
+        return false;
+    const std::size_t from = at_;
+    const char c = text_[at_];
+    if (isNameStart(c)) {
+        while (at_ < text_.size() && isNamePart(text_[at_]))
+            ++at_;
+        token.kind = "NAME";
+    } else if (std::isdigit(static_cast<unsigned char>(c))) {
+        while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '.'))
+            ++at_;
+        token.kind = "NUMBER";
+    } else if (c == '"' || c == '\'') {
+        for (++at_; at_ < text_.size() && text_[at_] != c; ++at_)
+            at_ += text_[at_] == '\\';
+        at_ = std::min(at_ + 1, text_.size());
+        token.kind = "STRING";
+    } else {
+        ++at_;
+        token.kind = std::string(1, c);
+    }
+    token.word = text_.substr(from, at_ - from);
+    return true;
+}
+
+void TokenScanner::skip() {
+    while (at_ < text_.size()) {
+        if (std::isspace(static_cast<unsigned char>(text_[at_])))
+            ++at_;
+        else if (text_.compare(at_, 2, "//") == 0)
+            at_ = std::min(text_.find('\n', at_), text_.size());
+        else if (text_.compare(at_, 2, "/*") == 0)
+            at_ = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
+        else
+            return;
+    }
+}
+
+}  // namespace grader
