@@ -38,6 +38,7 @@ grader_add_unit_tests(grader_unit_tests
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
+        src/watch/Changes_test.cpp src/watch/FileWatch_test.cpp src/watch/GradingProcess_test.cpp
         unpack/Unpack_test.cpp
     LINK grader_batch grader_course unpacking)
 
