@@ -34,9 +34,9 @@ grader_add_unit_tests(grader_unit_tests
         runner/SeededValues_test.cpp
         subject/Judge.cpp subject/Judge_test.cpp subject/ProcessSubject_test.cpp
         subject/Status_test.cpp
-    src/BuildId_test.cpp src/Cgroup_test.cpp src/Collect_test.cpp src/Diagnostics_test.cpp
-    src/Files_test.cpp src/Includes_test.cpp
-        src/Manifest_test.cpp src/ObjectCache_test.cpp src/Process_test.cpp src/Regions_test.cpp
+        src/BuildId_test.cpp src/Carry_test.cpp src/Cgroup_test.cpp src/Collect_test.cpp
+        src/Diagnostics_test.cpp src/Files_test.cpp src/Includes_test.cpp src/Manifest_test.cpp
+        src/ObjectCache_test.cpp src/Portability_test.cpp src/Process_test.cpp src/Regions_test.cpp
         src/Result_test.cpp src/Sandbox_test.cpp src/TimeBox_test.cpp
         src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Crew_test.cpp
         src/batch/Earlier_test.cpp src/batch/Gallery_test.cpp src/batch/Gradebook_test.cpp
@@ -50,6 +50,7 @@ grader_add_unit_tests(grader_unit_tests
         src/recognise/Recognise_test.cpp src/recognise/UsualSlips_test.cpp
         src/report/HtmlReport_test.cpp src/report/TerminalPictures_test.cpp
         src/report/TerminalReport_test.cpp src/report/Words_test.cpp
+        src/watch/Changes_test.cpp src/watch/FileWatch_test.cpp src/watch/GradingProcess_test.cpp
         unpack/Unpack_test.cpp
     LINK grader_batch grader_course grader_harness grader_package grader_pull_request unpacking)
 

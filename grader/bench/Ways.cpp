@@ -38,25 +38,35 @@ Ways::Ways(const std::string& assignment)
       grader_(tools_, *plain_) {}
 
 void Ways::bare(const Stage& stage) {
-    const fs::path folder = work_.path() / "bare";
-    fs::remove_all(folder);
-    std::vector<std::future<bool>> compiling;
-    std::vector<std::string> inherited;
-    std::vector<std::string> link = {tools_.compiler};
-    link.insert(link.end(), tools_.linkFlags.begin(), tools_.linkFlags.end());
-    for (const StagedFile& file : stage.files)
-        writeFile(folder / file.name, file.content);
+    fs::remove_all(bareFolder());
+    std::vector<std::string> sources;
     for (const StagedFile& file : stage.files) {
-        if (!file.name.ends_with(".cpp"))
-            continue;
-        const std::string object = (folder / file.name).string() + ".o";
-        (file.role == Role::inherited ? inherited : link).push_back(object);
+        writeFile(bareFolder() / file.name, file.content);
+        if (file.name.ends_with(".cpp"))
+            sources.push_back(file.name);
+    }
+    if (compile(sources))
+        linkAndDraw(stage, true);
+}
+
+void Ways::bareAgain(const Stage& stage, const std::string& edited) {
+    const bool isCode = edited.ends_with(".cpp");
+    writeFile(bareFolder() / edited, stage.find(edited)->content);
+    if (!isCode || compile({edited}))
+        linkAndDraw(stage, isCode);
+}
+
+/// All at once. False when one does not compile.
+bool Ways::compile(const std::vector<std::string>& files) const {
+    std::vector<std::future<bool>> compiling;
+    for (const std::string& name : files) {
         std::vector<std::string> command = {tools_.compiler};
         command.insert(command.end(), tools_.compileFlags.begin(), tools_.compileFlags.end());
+        const std::string file = (bareFolder() / name).string();
         for (const std::string& each :
              {std::string("-include"), (tools_.kit / "prelude/prelude.h").string(),
-              "-I" + (tools_.kit / "include").string(), "-I" + folder.string(), std::string("-c"),
-              (folder / file.name).string(), std::string("-o"), object})
+              "-I" + (tools_.kit / "include").string(), "-I" + bareFolder().string(),
+              std::string("-c"), file, std::string("-o"), file + ".o"})
             command.push_back(each);
         compiling.push_back(std::async(std::launch::async,
                                        [command] { return run(command, kPatience).succeeded(); }));
@@ -64,22 +74,35 @@ void Ways::bare(const Stage& stage) {
     bool compiled = true;
     for (auto& each : compiling)
         compiled = each.get() && compiled;
-    if (!compiled)
-        return;
+    return compiled;
+}
+
+void Ways::linkAndDraw(const Stage& stage, bool link) const {
+    const fs::path folder = bareFolder();
     BuildResult build;
     build.ok = true;
     build.stage = folder;
     build.user = user_.id();
     build.object = folder / "subject.so";
-    // A file of an earlier assignment gives way to what the submission defines itself.
-    if (!inherited.empty()) {
-        std::vector<std::string> archive = {"ar", "rcs", (folder / "inherited.a").string()};
-        archive.insert(archive.end(), inherited.begin(), inherited.end());
-        mustRun(archive);
-        link.push_back((folder / "inherited.a").string());
+    if (link) {
+        std::vector<std::string> inherited;
+        std::vector<std::string> command = {tools_.compiler};
+        command.insert(command.end(), tools_.linkFlags.begin(), tools_.linkFlags.end());
+        for (const StagedFile& file : stage.files)
+            if (file.name.ends_with(".cpp"))
+                (file.role == Role::inherited ? inherited : command)
+                    .push_back((folder / file.name).string() + ".o");
+        // A file of an earlier assignment gives way to what the submission defines itself.
+        if (!inherited.empty()) {
+            std::vector<std::string> archive = {"ar", "rcs", (folder / "inherited.a").string()};
+            archive.insert(archive.end(), inherited.begin(), inherited.end());
+            mustRun(archive);
+            command.push_back((folder / "inherited.a").string());
+        }
+        command.insert(command.end(),
+                       {(tools_.kit / "lib/libcg.a").string(), "-o", build.object.string()});
+        mustRun(command);
     }
-    link.insert(link.end(), {(tools_.kit / "lib/libcg.a").string(), "-o", build.object.string()});
-    mustRun(link);
     shareWithSandbox(folder, user_.id(), false);
     observer_.drawFrames(manifest_, build, 1);
 }

@@ -30,6 +30,10 @@ public:
     /// What does not compile ends there.
     void bare(const Stage& stage);
 
+    /// The same after an edit of one file, with what bare() made of all others: one compiler call
+    /// where the file is code, a link, and the frames. What a good build tool would leave to do.
+    void bareAgain(const Stage& stage, const std::string& edited);
+
     /// The usual way: a CMake configure and build of tests and a renderer (framework and GoogleTest
     /// prebuilt), ctest, and one idiff process per frame.
     void usual(const Stage& stage);
@@ -39,6 +43,10 @@ public:
     const Grader& grader() const { return grader_; }
 
 private:
+    bool compile(const std::vector<std::string>& files) const;
+    void linkAndDraw(const Stage& stage, bool link) const;
+    fs::path bareFolder() const { return work_.path() / "bare"; }
+
     Toolchain tools_;
     Manifest manifest_;
     std::unique_ptr<Sandbox> plain_;

@@ -1,6 +1,6 @@
 // Reports to look at, made once for all tests: by the grader from real submissions, and by the
 // sample program from results that have everything.
-import {execFileSync, spawnSync} from 'node:child_process';
+import {execFileSync, spawn, spawnSync} from 'node:child_process';
 import {cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync,
         writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -59,6 +59,34 @@ function graded(name, assignment, change, exitCode) {
     throw new Error(`${name}: the grader ended with ${result.status}, expected ${exitCode}:\n` +
                     result.stdout + result.stderr);
   return join(report, 'index.html');
+}
+
+/**
+ * The grader watching a solution of 06-rotation: {page, save(ids, tail), stop()}. `save` puts known
+ * mistakes into the solution's regions, and `tail` below them; `stop` resolves to the exit code.
+ */
+export async function watched(name) {
+  const folder = join(submission(name, '06-rotation', () => {}), '06-rotation');
+  const file = join(folder, 'rotation.cpp'), report = join(work, name, 'report');
+  const watch = spawn(grader, ['--watch', '06-rotation', '--submission', dirname(folder),
+                               '--report', report]);
+  let said = '';
+  await new Promise((resolve, reject) => {
+    watch.stdout.on('data', text => (said += text).includes('Report: ') && resolve());
+    watch.on('exit', code => reject(new Error(`the watch ended with ${code}:\n${said}`)));
+  });
+  return {
+    page: join(report, 'index.html'),
+    save(ids, tail = '') {
+      cpSync(join(root, 'solutions/06-rotation/rotation.cpp'), file);
+      make('06-rotation', ids)(folder);
+      edit(file, text => text + tail);
+    },
+    stop() {
+      return new Promise(resolve => watch.removeAllListeners('exit').on('exit', resolve)
+        .kill('SIGTERM'));
+    },
+  };
 }
 
 function sample(name, ...text) {

@@ -17,3 +17,4 @@ await import('./viewer_tests.js');
 await import('./page_tests.js');
 await import('./hostile_tests.js');
 await import('./overview_tests.js');
+await import('./watch_tests.js');

@@ -9,6 +9,7 @@
 #include "Error.h"
 #include "Includes.h"
 #include "ObjectCache.h"
+#include "Portability.h"
 #include "Process.h"
 #include "TimeBox.h"
 #include "subject/KernelLimits.h"
@@ -223,12 +224,31 @@ private:
             diagnostic.source = sourceLine(file->content, diagnostic.line);
     }
 
+    /// A header that is there under a name that other systems do not tell from the one asked for.
+    void explainCase(Diagnostic& diagnostic) const {
+        static const std::string missing = ": No such file or directory";
+        if (!diagnostic.message.ends_with(missing))
+            return;
+        std::vector<std::string> names;
+        for (const StagedFile& file : stage_.files)
+            names.push_back(file.name);
+        const fs::path kit = tools_.kit / "include";
+        for (const auto& each : fs::recursive_directory_iterator(kit))
+            names.push_back(each.path().lexically_relative(kit).string());
+        const std::string wanted =
+            diagnostic.message.substr(0, diagnostic.message.size() - missing.size());
+        if (const std::string name = nameInOtherCase(wanted, names); !name.empty())
+            diagnostic.message += ", but there is " + name;
+    }
+
     /// Of a file that is not the student's, its name is enough, and may be a lie (#line).
     void note(const Made& made, BuildResult& result) const {
         auto found = parseDiagnostics(made.log);
-        for (Diagnostic& each : found)
+        for (Diagnostic& each : found) {
             if (!stage_.find(each.file))
                 each.file = fs::path(each.file).filename().string();
+            explainCase(each);
+        }
         result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
         result.ok = result.ok && made.ok;
         const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {

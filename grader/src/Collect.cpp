@@ -44,7 +44,9 @@ private:
     fs::path starter(const std::string& id) const { return root_ / "assignments" / id; }
 
     void addProvided() {
-        const std::set<std::string> student(manifest_.submit.begin(), manifest_.submit.end());
+        std::set<std::string> student(manifest_.submit.begin(), manifest_.submit.end());
+        for (const auto& [name, from] : manifest_.inherits)
+            student.insert(name);  // a copy in the assignment's folder is the student's
         std::vector<fs::path> names;
         for (const auto& entry : fs::recursive_directory_iterator(manifest_.folder))
             if (entry.is_regular_file())

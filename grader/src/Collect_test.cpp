@@ -266,4 +266,16 @@ TEST_F(Collecting, AnUnreadableCopyOfOurFileIsNamedOnly) {
     EXPECT_THAT(collected().ignored, ElementsAre("README.md"));
 }
 
+TEST_F(Collecting, AnInheritedFileInTheAssignmentsOwnFolderIsTakenOnceAndAsTheStudents) {
+    course.write("assignments/07-camera/rotation.cpp", "a copy");
+    const Collected all = collect(course.path(), manifest, {course / "assignments", true});
+    EXPECT_EQ(std::count_if(all.stage.files.begin(), all.stage.files.end(),
+                            [](const StagedFile& file) { return file.name == "rotation.cpp"; }),
+              1);
+    EXPECT_EQ(all.stage.find("rotation.cpp")->role, Role::inherited);
+    // It is not handed to others as the assignment's own.
+    submitBoth();
+    EXPECT_EQ(staged(collected(), "rotation.cpp"), "starter rotation (starter)");
+}
+
 }  // namespace

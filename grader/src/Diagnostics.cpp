@@ -97,6 +97,11 @@ const std::vector<Hint>& hints() {
          "two of the submitted files define the same function: keep one of them"},
         {std::regex(R"(expected ';')"),
          "a semicolon is missing, often at the end of the line before"},
+        {std::regex(R"(No such file or directory, but there is)"),
+         "upper and lower case make two names on Linux, though one on Windows and macOS: write the "
+         "name exactly as the file has it"},
+        {std::regex(R"('M_PI' was not declared)"),
+         "M_PI is no part of standard C++: #include <numbers> and write std::numbers::pi"},
         {std::regex(R"(was not declared in this scope|has not been declared)"),
          "check the spelling, a missing #include, or a missing glm:: in front"},
         {std::regex(R"(expected '\}' at end of input)"), "a closing brace } is missing"},

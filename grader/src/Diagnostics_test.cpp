@@ -71,6 +71,13 @@ TEST(Diagnostics, TypesOfGlmAndQuotesAreSimple) {
                 ElementsAre(error("f.cpp", 1, 1, "glm::mat3 and glm::vec2")));
 }
 
+TEST(Diagnostics, WhatOtherSystemsAcceptHasAHint) {
+    EXPECT_THAT(hintOf("camera.h: No such file or directory, but there is Camera.h"),
+                HasSubstr("upper and lower case"));
+    EXPECT_EQ(hintOf("lens.h: No such file or directory"), "");
+    EXPECT_THAT(hintOf("'M_PI' was not declared in this scope"), HasSubstr("std::numbers::pi"));
+}
+
 TEST(Diagnostics, ForgedNumbersAndLongLinesAreNoTrouble) {
     EXPECT_THAT(parseDiagnostics("Camera.cpp:99999999999999999999:1: error: forged"), IsEmpty());
     const auto all = parseDiagnostics("Camera.cpp:1:1: error: " + std::string(1 << 20, 'x'));

@@ -5,6 +5,7 @@
 
 #include "Error.h"
 #include "JudgeFrames.h"
+#include "Portability.h"
 #include "Prerequisites.h"
 #include "TimeBox.h"
 #include "recognise/Recognise.h"
@@ -58,6 +59,8 @@ AssignmentResult Grader::grade(const Manifest& manifest, const Submission& submi
     result.ignoredFiles = collected.ignored;
     result.notices.insert(result.notices.begin(), collected.notices.begin(),
                           collected.notices.end());
+    for (std::string& notice : portabilityNotices(collected.stage))
+        result.notices.push_back(std::move(notice));
     for (const StagedFile& file : collected.stage.files)
         if (file.role == Role::inherited)
             result.inherited[file.name] = file.origin;

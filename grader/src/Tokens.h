@@ -7,7 +7,7 @@ namespace grader {
 
 /// A token of C++ or GLSL, or what comes nearest to it in another text.
 struct Token {
-    std::string kind;  ///< "NAME", "NUMBER", "STRING", a keyword that matters, or a character
+    std::string kind;  ///< "NAME" (words of the language, too), "NUMBER", "STRING", or a sign
     std::string word;  ///< what it says
 };
 

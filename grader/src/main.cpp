@@ -5,6 +5,7 @@
 
 #include "Error.h"
 #include "commands/BatchCommand.h"
+#include "commands/CarryCommand.h"
 #include "commands/ClassCommands.h"
 #include "commands/CompareCommand.h"
 #include "commands/CourseCommands.h"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
     grader::addPackagePlatformCommands(app, exitCode);
     grader::addWindowCommand(app, exitCode);
     grader::addDebugCommand(app, exitCode);
+    grader::addCarryCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);
     grader::addPackageStudentsCommand(app, exitCode);

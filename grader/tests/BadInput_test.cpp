@@ -97,6 +97,28 @@ TEST(BadInput, ZNearForNearGetsAHint) {
     }
 }
 
+TEST(BadInput, AHeadersNameInOtherCaseIsExplained) {
+    for (const auto& [right, wrong] :
+         {std::pair{"Camera.h", "camera.h"}, {"cg/Todo.h", "cg/todo.h"}}) {
+        Submission submission;
+        submission.write("07-camera/Camera.cpp", fmt::format("#include \"{}\"\n", wrong) +
+                                                     submission.read("07-camera/Camera.cpp"));
+        const std::string message = firstDiagnostic(submission.grade("07-camera")).at("message");
+        EXPECT_EQ(message,
+                  fmt::format("{}: No such file or directory, but there is {}", wrong, right));
+    }
+}
+
+TEST(BadInput, WhatOtherSystemsLackIsNoticedAndCostsNothing) {
+    Submission submission;
+    submission.write(kRotation, "#include <cmath>\nstatic const double kPi = M_PI;\n" +
+                                    submission.read(kRotation) +
+                                    "double halfTurn() { return kPi; }\n");
+    const Graded graded = submission.grade("06-rotation");
+    EXPECT_EQ(graded.points(), 100.0);
+    EXPECT_TRUE(graded.notes("rotation.cpp uses M_PI"));
+}
+
 TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
     Submission submission;
     submission.solve(kRotation, "rotation", "    return undefinedThing;\n");

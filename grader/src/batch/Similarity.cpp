@@ -12,6 +12,16 @@ namespace {
 constexpr double kAlike = 0.8;
 constexpr std::size_t kFewestFingerprints = 8;  // of less nothing can be said
 
+const std::set<std::string> kKept = {
+    "auto",   "bool",   "break",    "case", "const", "continue", "do",   "double", "else",
+    "float",  "for",    "if",       "int",  "mat2",  "mat3",     "mat4", "return", "static",
+    "struct", "switch", "unsigned", "vec2", "vec3",  "vec4",     "void", "while"};
+
+/// A word of the language is of its own kind, every other name is one like another.
+std::string kindOf(const Token& token) {
+    return kKept.contains(token.word) ? token.word : token.kind;
+}
+
 constexpr std::uint64_t kPrime = 1099511628211ull, kBasis = 14695981039346656037ull;
 
 /// FNV-1a, the same on every machine.
@@ -34,8 +44,8 @@ std::map<std::uint64_t, std::vector<std::size_t>> ownersOf(const std::vector<Pri
 
 std::vector<std::string> tokensOf(const std::string& text) {
     std::vector<std::string> kinds;
-    for (Token& each : tokensIn(text))
-        kinds.push_back(std::move(each.kind));
+    for (const Token& each : tokensIn(text))
+        kinds.push_back(kindOf(each));
     return kinds;
 }
 

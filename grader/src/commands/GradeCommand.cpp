@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "Archive.h"
+#include "Browser.h"
 #include "Error.h"
 #include "Grade.h"
 #include "Process.h"
@@ -15,6 +16,7 @@
 #include "report/HtmlReport.h"
 #include "report/TerminalPictures.h"
 #include "report/TerminalReport.h"
+#include "watch/Watch.h"
 
 namespace grader {
 
@@ -24,7 +26,12 @@ struct Options {
     std::vector<std::string> assignments;
     std::string submission, json, report, context = "auto", harness;
     std::uint64_t seed = 1;
-    bool open = false, images = false, noSandbox = false;
+    bool open = false, images = false, watch = false, noSandbox = false;
+
+    /// Where the report goes if there is one.
+    fs::path reportFolder(const Toolchain& tools) const {
+        return report.empty() ? tools.root / "report" : fs::path(report);
+    }
 };
 
 /// Which assignments of which folder are graded.
@@ -102,8 +109,8 @@ void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder)
     writeFile(folder / "index.html", htmlReport(results, folder));
 }
 
-void openInBrowser(const fs::path& page) {
-    if (!run({"xdg-open", page.string()}, 10.0).succeeded())
+void showInBrowser(const fs::path& page) {
+    if (!openInBrowser(page))
         std::cout << "No browser could be opened (xdg-open). Open this file yourself:\n  "
                   << page.string() << "\n";
 }
@@ -130,11 +137,30 @@ int gradeThere(const Options& options) {
     return marked ? kFullMarks : kGraderFailed;
 }
 
+int watchAll(const Toolchain& tools, const Sandbox& sandbox, const Options& options,
+             const Selection& selection) {
+    if (selection.unpacking)
+        throw Error(
+            "--watch --submission {}: an archive does not change while you type: unpack it, and "
+            "name the folder",
+            options.submission);
+    return watch(tools, sandbox,
+                 {.assignments = selection.assignments,
+                  .submission = selection.submission,
+                  .renderer = {.context = options.context},
+                  .style = {worthPainting(), 80, false},
+                  .report = options.reportFolder(tools),
+                  .writePage = !options.report.empty(),
+                  .openPage = options.open});
+}
+
 int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const auto sandbox =
         chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = runsInCi()});
     const Selection selection = select(tools, *sandbox, options);
+    if (options.watch)
+        return watchAll(tools, *sandbox, options, selection);
     const Grader grader(tools, *sandbox, {.context = options.context});
 
     const bool quiet = options.json == "-";
@@ -155,10 +181,8 @@ int gradeAll(const Options& options) {
 
     // The verdict is on the screen; files and pictures follow.
     const int exitCode = exitCodeOf(results);
-    fs::path report = options.report;
-    if (report.empty() && options.open)
-        report = tools.root / "report";
-    if (!report.empty()) {
+    const fs::path report = options.reportFolder(tools);
+    if (options.open || !options.report.empty()) {
         writeReport(results, report);
         if (!quiet)
             std::cout << "Report: " << fs::absolute(report / "index.html").string() << "\n";
@@ -172,7 +196,7 @@ int gradeAll(const Options& options) {
     else if (!options.json.empty())
         writeFile(options.json, toJson(results));
     if (options.open)
-        openInBrowser(fs::absolute(report / "index.html"));
+        showInBrowser(fs::absolute(report / "index.html"));
     return exitCode;
 }
 
@@ -187,25 +211,33 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
                         "folder with one folder per assignment, or with the files of the one "
                         "assignment named; or an archive (zip, tar, tar.gz, tar.xz, tar.bz2) of "
                         "either; default assignments/");
-    command->add_option("--json", options.json,
-                        "write the result document to this file, - for "
-                        "standard output (then nothing else is printed)");
+    CLI::Option* json = command->add_option("--json", options.json,
+                                            "write the result document to this file, - for "
+                                            "standard output (then nothing else is printed)");
     command->add_option("--report", options.report, "write report and pictures to this folder");
-    command
-        ->add_option("--seed", options.seed,
-                     "seed of random inputs; other than 1 needs "
-                     "solutions/")
-        ->capture_default_str();
+    CLI::Option* seed = command
+                            ->add_option("--seed", options.seed,
+                                         "seed of random inputs; other than 1 needs "
+                                         "solutions/")
+                            ->capture_default_str();
     command->add_flag("--open", options.open,
                       "write the report (default folder: report/) and open it in the browser");
-    command->add_flag("--images", options.images,
-                      "show small pictures of lost frames, where the terminal has 24-bit colour");
+    CLI::Option* images = command->add_flag(
+        "--images", options.images,
+        "show small pictures of lost frames, where the terminal has 24-bit colour");
     command
         ->add_option("--context", options.context,
                      "what draws the frames: auto takes osmesa, "
                      "or egl where there is no OSMesa")
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
         ->capture_default_str();
+    command
+        ->add_flag("--watch", options.watch,
+                   "grade again whenever a file is saved, and say what changed, until q or Ctrl-C; "
+                   "with --open the page in the browser follows")
+        ->excludes(json)
+        ->excludes(seed)
+        ->excludes(images);
     command->add_flag("--no-sandbox", options.noSandbox,
                       "run the code as a plain process with limits");
     command
@@ -214,7 +246,7 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
                      "leave the result where it wants them (docs/platforms.md); exit code 0 once "
                      "there is a mark")
         ->check(CLI::IsMember(platformNames()))
-        ->excludes("--submission", "--json", "--report", "--open", "--images");
+        ->excludes("--submission", "--json", "--report", "--open", "--images", "--watch");
     command->callback([&exitCode] {
         exitCode = options.harness.empty() ? gradeAll(options) : gradeThere(options);
     });

@@ -205,11 +205,11 @@ std::string hashOf(std::string_view text) {
 }
 
 /// Only this page's own script and style run, whatever a student's text manages to become.
-std::string policy() {
+std::string policy(bool live) {
     return fmt::format(
-        "default-src 'none'; img-src data: blob:; style-src {}; script-src {}; base-uri 'none'; "
+        "default-src 'none'; img-src data: blob:{}; style-src {}; script-src {}; base-uri 'none'; "
         "form-action 'none'",
-        hashOf(kReportStyle), hashOf(kReportScript));
+        live ? " file:" : "", hashOf(kReportStyle), hashOf(kReportScript));
 }
 
 void writeMasks(CheckResult& check, const std::string& assignment, const fs::path& folder) {
@@ -270,7 +270,8 @@ void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::st
             }
 }
 
-std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder) {
+std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder,
+                       const std::string& version) {
     const std::string title =
         results.size() == 1 ? results[0].assignment + " " + results[0].title : "Report";
     std::string html = fmt::format(
@@ -278,9 +279,10 @@ std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::p
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>{}</title>\n<style>{}</style></head><body>\n<main>\n"
+        "<title>{}</title>\n<style>{}</style></head><body{}>\n<main>\n"
         "<h1 class=\"unseen\">Report</h1>\n",
-        policy(), escaped(title), kReportStyle);
+        policy(!version.empty()), escaped(title), kReportStyle,
+        version.empty() ? "" : fmt::format(" data-version=\"{}\"", version));
     html += overviewOf(results);
     for (const AssignmentResult& each : results)
         html += assignmentSection(each, folder);

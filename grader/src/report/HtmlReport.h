@@ -21,6 +21,9 @@ void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::st
 /// The report as one page that needs nothing else: pictures, style and script are embedded, and its
 /// content security policy forbids everything from elsewhere. Without scripts it still shows all
 /// but the tools to compare pictures with. `folder` is where writeReportPictures put the pictures.
-std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder);
+/// With a `version` the page loads itself anew when it finds another, see LiveReport.h; to look, it
+/// may show pictures from files.
+std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder,
+                       const std::string& version = "");
 
 }  // namespace grader

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "Result.h"
+#include "report/TerminalWriter.h"
 
 namespace grader {
-
-struct TerminalStyle {
-    bool colours = false;
-    int width = 80;
-    bool pictures = false;  ///< below each lost frame, in 24-bit colour
-};
 
 /// What a student reads first: a row per task, below it the mistake that was recognised, and one
 /// sentence with its hint per lost check. An assignment that was not started takes one line.

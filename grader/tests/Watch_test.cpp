@@ -1,0 +1,302 @@
+// ./grade --watch as students run it: in a terminal, beside an editor that saves in its own way.
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "Lab.h"
+#include "Regions.h"
+#include "testing/PseudoTerminal.h"
+
+namespace {
+
+using lab::fs::path;
+using testing::HasSubstr;
+using testing::Not;
+using testing_help::PseudoTerminal;
+
+const std::string kRotation = "06-rotation/rotation.cpp";
+const std::string kWaiting = "q quit";  // the end of the line with the keys
+
+class Watch : public testing::Test {
+protected:
+    Watch() {
+        lab::fs::create_directories(temporary());
+        setenv("TMPDIR", temporary().c_str(), 1);
+    }
+    ~Watch() override { unsetenv("TMPDIR"); }
+
+    path temporary() const { return work_.path() / "tmp"; }
+
+    std::vector<std::string> command(const std::string& assignment,
+                                     const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> all = {COURSE_GRADER, "--watch", assignment, "--submission",
+                                        submission_.folder().string()};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+
+    /// The text of a solved file with another body in one of its regions.
+    std::string with(const std::string& name, const std::string& region,
+                     const std::string& body) const {
+        return lab::withRegion(solved(name), region, body).value();
+    }
+    std::string solved(const std::string& name) const {
+        return lab::readFile(lab::root() / "solutions" / name);
+    }
+
+    /// As cp and some editors do: the same file is emptied and written.
+    void overwrite(const std::string& name, const std::string& text) const {
+        std::ofstream(submission_.file(name), std::ios::trunc) << text;
+    }
+    /// As vim and gedit do: a new file gets the name.
+    void replace(const std::string& name, const std::string& text) const {
+        const path fresh = submission_.file(name).string() + "~";
+        std::ofstream(fresh, std::ios::trunc) << text;
+        lab::fs::rename(fresh, submission_.file(name));
+    }
+    static void wait(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
+
+    lab::WorkFolder work_;
+    lab::Submission submission_;
+};
+
+TEST_F(Watch, EveryWayToSaveIsGradedAndComparedWithTheLast) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor("100 / 100");
+    terminal.waitFor(kWaiting);
+
+    overwrite(kRotation, with(kRotation, "cross-matrix", "    return glm::mat3(1.0f);\n"));
+    const std::string lost = terminal.waitFor(kWaiting);
+    EXPECT_THAT(lost, HasSubstr("no longer: "));
+    EXPECT_THAT(lost, HasSubstr("✗ cross-matrix: "));
+    EXPECT_THAT(lost, Not(HasSubstr("100 / 100")));
+
+    replace(kRotation, solved(kRotation));
+    const std::string won = terminal.waitFor(kWaiting);
+    EXPECT_THAT(won, HasSubstr("100 / 100"));
+    EXPECT_THAT(won, HasSubstr("now "));
+    EXPECT_THAT(won, HasSubstr("Everything is done"));
+
+    // The same text again, and files that are nobody's, grade nothing.
+    replace(kRotation, solved(kRotation));
+    overwrite("06-rotation/.rotation.cpp.swp", "something else");
+    EXPECT_EQ(terminal.untilSilent(1.0), "");
+
+    // Gone for a moment, then empty for a moment.
+    lab::fs::remove(submission_.file(kRotation));
+    wait(30);
+    overwrite(kRotation, "");
+    wait(30);
+    overwrite(kRotation, with(kRotation, "rotation", "    return glm::mat3(1.0f);\n"));
+    const std::string again = terminal.waitFor(kWaiting);
+    EXPECT_THAT(again, HasSubstr("✗ rotation: "));
+    EXPECT_THAT(again, Not(HasSubstr("compile")));
+
+    // Gone for good: the starter takes its place, and the reader is told that something was lost.
+    lab::fs::remove(submission_.file(kRotation));
+    EXPECT_THAT(terminal.waitFor(kWaiting), HasSubstr("0 / 100"));
+    overwrite(kRotation, solved(kRotation));
+    EXPECT_THAT(terminal.waitFor(kWaiting), HasSubstr("100 / 100"));
+}
+
+TEST_F(Watch, ABuildErrorKeepsWhatIsComparedWith) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    overwrite(kRotation, with(kRotation, "rotation", "    return degres;\n"));
+    const std::string broken = terminal.waitFor(kWaiting);
+    EXPECT_THAT(broken, HasSubstr("rotation.cpp:"));
+    EXPECT_THAT(broken, HasSubstr("'degres' was not declared"));
+    EXPECT_THAT(broken, HasSubstr("it stood at 100 / 100"));
+    EXPECT_THAT(broken, Not(HasSubstr("no longer")));
+    terminal.type("h");
+    EXPECT_THAT(terminal.waitFor("hint: "), HasSubstr("degres"));
+    terminal.waitFor(kWaiting);
+    overwrite(kRotation, solved(kRotation) + "// mended\n");
+    const std::string mended = terminal.waitFor(kWaiting);
+    EXPECT_THAT(mended, HasSubstr("No points earned or lost."));
+    terminal.type("q");
+    EXPECT_EQ(terminal.waitForEnd(), 0);
+}
+
+TEST_F(Watch, KeysTellTheHintAndTheTasksAndLeave) {
+    replace(kRotation, with(kRotation, "cross-matrix", "    return glm::mat3(1.0f);\n"));
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    EXPECT_FALSE(terminal.isAsBefore()) << "keys are read one by one";
+    terminal.type("h");
+    terminal.waitFor("hint: ");
+    terminal.waitFor(kWaiting);
+    terminal.type("n");
+    terminal.waitFor("cross-matrix");
+    terminal.waitFor("TODO(cross-matrix)");
+    terminal.waitFor(kWaiting);
+    terminal.type("r");
+    terminal.waitFor("06-rotation  Rotation");
+    terminal.waitFor(kWaiting);
+    terminal.type("\033[A?");  // an arrow, and a key that means nothing
+    EXPECT_EQ(terminal.untilSilent(0.3), "");
+    terminal.type("q");
+    EXPECT_EQ(terminal.waitForEnd(), 1);
+    EXPECT_TRUE(terminal.isAsBefore());
+}
+
+TEST_F(Watch, TheLastOfManySavesGetsAVerdict) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    const std::string wrong = with(kRotation, "rotation", "    return glm::mat3(1.0f);\n");
+    for (int i = 0; i < 30; ++i) {
+        const std::string text = wrong + "// save " + std::to_string(i) + "\n";
+        if (i % 2 == 0)
+            replace(kRotation, text);
+        else
+            overwrite(kRotation, text);
+        wait(100);
+    }
+    overwrite(kRotation, with(kRotation, "rotation", "    return lastOfAll;\n"));
+    terminal.waitFor("lastOfAll");
+    terminal.waitFor(kWaiting);
+    EXPECT_EQ(terminal.untilSilent(1.0), "");
+}
+
+TEST_F(Watch, AnEndlessLoopIsAbandonedWhenItIsMended) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    overwrite(kRotation, with(kRotation, "rotation", "    for (volatile int i = 0;; i = 1) {}\n"));
+    wait(1500);  // long enough to compile and to run into it
+    overwrite(kRotation, with(kRotation, "rotation", "    return glm::mat3(1.0f);\n"));
+    const std::string verdict = terminal.waitFor(kWaiting);
+    EXPECT_THAT(verdict, HasSubstr("✗ rotation: "));
+    EXPECT_THAT(verdict, Not(HasSubstr("did not return")));
+}
+
+TEST_F(Watch, ShadersAreWatchedToo) {
+    const std::string shader = "10-lighting/shaders/lighting.frag";
+    PseudoTerminal terminal(command("10-lighting"));
+    terminal.waitFor(kWaiting);
+    overwrite(shader, with(shader, "emission", "oops\n"));
+    const std::string broken = terminal.waitFor(kWaiting);
+    EXPECT_THAT(broken, HasSubstr("a shader does not compile"));
+    EXPECT_THAT(broken, HasSubstr("shaders/lighting.frag:"));
+    EXPECT_THAT(broken, Not(HasSubstr("no longer")));
+    replace(shader, with(shader, "emission",
+                         lab::readFile(lab::root() /
+                                       "solutions/10-lighting/mistakes/emission-missing.frag")));
+    const std::string without = terminal.waitFor(kWaiting);
+    EXPECT_THAT(without, HasSubstr("✗ emission: "));
+    EXPECT_THAT(without, HasSubstr("no longer: "));
+}
+
+TEST_F(Watch, AnInheritedFileGradesEveryAssignmentThatUsesIt) {
+    PseudoTerminal terminal([&] {
+        auto all = command("06-rotation");
+        all.insert(all.begin() + 2, {"07-camera", "08-perspective"});
+        return all;
+    }());
+    terminal.waitFor(kWaiting);
+    overwrite("07-camera/Camera.cpp",
+              with("07-camera/Camera.cpp", "perspective", "    proj = glm::mat4(1.0f);\n"));
+    terminal.waitFor("08-perspective  ");
+    const std::string verdict = terminal.waitFor(kWaiting);
+    EXPECT_THAT(verdict, HasSubstr("✗ perspective: "));
+}
+
+TEST_F(Watch, CtrlCAmidAGradingLeavesNothing) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    overwrite(kRotation, with(kRotation, "rotation", "    for (volatile int i = 0;; i = 1) {}\n"));
+    terminal.waitFor("grading 06-rotation");
+    wait(1200);
+    const pid_t watcher = terminal.pid();
+    EXPECT_FALSE(lab::fs::is_empty(temporary()));
+    terminal.type("\003");
+    EXPECT_EQ(terminal.waitForEnd(), 0) << "the last verdict was full marks";
+    EXPECT_TRUE(terminal.isAsBefore());
+    EXPECT_TRUE(lab::fs::is_empty(temporary()));
+    // Whatever it had started saw its own place for files, and nobody who does is left.
+    for (const auto& entry : lab::fs::directory_iterator("/proc")) {
+        std::ifstream environment(entry.path() / "environ");
+        const std::string text(std::istreambuf_iterator<char>(environment), {});
+        const bool isThis = entry.path().filename() == std::to_string(getpid());
+        EXPECT_TRUE(isThis || text.find(temporary().string()) == std::string::npos) << entry.path();
+    }
+    EXPECT_NE(kill(watcher, 0), 0);
+}
+
+TEST_F(Watch, StoppedItGivesTheTerminalBackAndGoesOnLater) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    terminal.type("\032");  // Ctrl-Z
+    for (int i = 0; i < 200 && !terminal.isAsBefore(); ++i)
+        wait(10);
+    EXPECT_TRUE(terminal.isAsBefore());
+    kill(terminal.pid(), SIGCONT);
+    terminal.waitFor(kWaiting);
+    EXPECT_FALSE(terminal.isAsBefore());
+    terminal.type("q");
+    EXPECT_EQ(terminal.waitForEnd(), 0);
+    EXPECT_TRUE(terminal.isAsBefore());
+}
+
+TEST_F(Watch, InAPipeThereAreLinesAndNoKeys) {
+    std::string line = "exec \"$@\" | cat";
+    std::vector<std::string> all = {"sh", "-c", line, "sh"};
+    const auto watch = command("06-rotation");
+    all.insert(all.end(), watch.begin(), watch.end());
+    PseudoTerminal terminal(all);
+    const std::string first = terminal.waitFor("✓ cross-matrix");
+    EXPECT_THAT(first, HasSubstr("Ctrl-C ends this"));
+    EXPECT_TRUE(terminal.isAsBefore());
+    terminal.untilSilent(0.5);
+    overwrite(kRotation, with(kRotation, "rotation", "    return glm::mat3(1.0f);\n"));
+    const std::string verdict = terminal.waitFor("✗ rotation: ");
+    EXPECT_THAT(verdict, HasSubstr("no longer: "));
+    EXPECT_THAT(verdict, Not(HasSubstr("\033")));
+    EXPECT_THAT(terminal.untilSilent(0.5), Not(HasSubstr("quit")));
+    terminal.type("\003");
+    terminal.waitForEnd();
+}
+
+TEST_F(Watch, ThePageHasANewVersionAfterEachVerdict) {
+    const path page = work_.path() / "page";
+    PseudoTerminal terminal(command("06-rotation", {"--report", page.string()}));
+    terminal.waitFor("Report: ");
+    terminal.waitFor(kWaiting);
+    const std::string first = lab::readFile(page / "version.svg");
+    EXPECT_THAT(lab::readFile(page / "index.html"), HasSubstr("data-version=\""));
+    overwrite(kRotation, with(kRotation, "rotation", "    return glm::mat3(1.0f);\n"));
+    terminal.waitFor(kWaiting);
+    EXPECT_NE(lab::readFile(page / "version.svg"), first);
+    EXPECT_THAT(lab::readFile(page / "index.html"), HasSubstr("Your picture"));
+    terminal.type("q");
+    terminal.waitForEnd();
+    EXPECT_FALSE(lab::fs::exists(page / "version.svg")) << "nobody writes the page any more";
+}
+
+TEST_F(Watch, WhatCannotBeWatchedIsRefused) {
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--json", "-"}, {"--seed", "2"}, {"--images"}}) {
+        auto all = command("06-rotation", more);
+        all.erase(all.begin());
+        const lab::Graded graded = lab::runGrader(all);
+        EXPECT_EQ(graded.exitCode, 2) << more[0];
+        EXPECT_THAT(graded.text, HasSubstr("--watch"));
+    }
+    const lab::Graded unknown = lab::runGrader({"--watch", "07-kamera"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.text, HasSubstr("07-kamera"));
+    const path archive = work_.path() / "a.tar";
+    lab::run({"tar", "-C", submission_.folder().string(), "-cf", archive.string(),
+              "06-rotation/rotation.cpp"},
+             20.0);
+    const lab::Graded packed =
+        lab::runGrader({"--watch", "06-rotation", "--submission", archive.string()});
+    EXPECT_EQ(packed.exitCode, 2);
+    EXPECT_THAT(packed.text, HasSubstr("unpack it"));
+}
+
+}  // namespace
