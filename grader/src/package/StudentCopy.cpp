@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "Error.h"
 #include "Manifest.h"
@@ -82,6 +83,33 @@ void layOver(CourseFiles& copy, const CourseFiles& all, const fs::path& root,
     readme.replace(at, std::string(kTableHere).size(), tableOf(root, included));
 }
 
+/// Where a relative link of a page leads: a path from the top.
+std::string targetOf(const std::string& page, const std::string& link) {
+    return (fs::path(page).parent_path() / link).lexically_normal().string();
+}
+
+/// A link from a page that students get to one that they do not get becomes plain words.
+void cutLinks(CourseFiles& copy, const CourseFiles& all) {
+    static const std::regex link(R"(\[([^\]\[]*)\]\(([^)#: ]+)(#[^) ]*)?\))");
+    for (auto& [path, file] : copy.files) {
+        if (fs::path(path).extension() != ".md")
+            continue;
+        std::string text;
+        const std::string& page = file.content;
+        auto from = page.cbegin();
+        for (std::sregex_iterator found(page.begin(), page.end(), link), end; found != end;
+             ++found) {
+            const std::string target = targetOf(path, (*found)[2]);
+            const bool cut = all.files.contains(target) && !copy.files.contains(target);
+            text.append(from, (*found)[0].first);
+            text += cut ? (*found)[1].str() : (*found)[0].str();
+            from = (*found)[0].second;
+        }
+        text.append(from, page.cend());
+        file.content = text;
+    }
+}
+
 void refuseLeaks(const CourseFiles& copy, const CourseFiles& all,
                  const std::vector<std::string>& known, const StudentCopyWish& wish) {
     std::vector<std::string> open = {"common/"};
@@ -124,6 +152,7 @@ CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
             copy.files[path] = solved->second;
         }
     layOver(copy, all, root, included);
+    cutLinks(copy, all);
     refuseLeaks(copy, all, known, wish);
     return copy;
 }
