@@ -1,7 +1,6 @@
 #include "Cgroup.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "Error.h"
+#include "subject/EndAllIn.h"
 
 namespace grader {
 
@@ -172,20 +172,12 @@ std::string openUp(const Place& place, const fs::path& root) {
     return "";
 }
 
-void killAllIn(const fs::path& cgroup) {
-    if (set(cgroup / "cgroup.kill", "1"))
-        return;
-    for (const std::string& each : wordsIn(cgroup / "cgroup.procs"))  // before Linux 5.14
-        if (const auto process = static_cast<pid_t>(std::atoi(each.c_str())); process > 1)
-            kill(process, SIGKILL);
-}
-
-/// A cgroup goes once its processes are gone, which may take a moment. What stays is removed by the
-/// next grader.
+/// A cgroup goes once its processes are gone. What stays is removed by the next grader.
 void removeCgroup(const fs::path& cgroup) {
-    constexpr int kMostTries = 2000;  // milliseconds
+    constexpr int kMostTries = 100;
     for (int i = 0; i < kMostTries && rmdir(cgroup.c_str()) != 0 && errno == EBUSY; ++i) {
-        killAllIn(cgroup);
+        if (i == 0)
+            judge::endAllIn(cgroup);
         usleep(1000);
     }
 }

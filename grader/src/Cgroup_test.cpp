@@ -349,7 +349,7 @@ TEST_F(RealCgroup, ASubmissionThatTakesTooMuchCostsItsOwnRequestOnly) {
     shareWithSandbox(tree / "in", user.id(), false);
     for (const char* each : {RUNNER, CONFINE})
         fs::permissions(at(each), fs::perms(0755));
-    const Cgroup cgroup({300, 60});
+    const Cgroup cgroup({160, 60});
     Confinement confinement;
     confinement.readable = {tree / "in"};
     confinement.workingFolder = tree / "in";
@@ -359,11 +359,11 @@ TEST_F(RealCgroup, ASubmissionThatTakesTooMuchCostsItsOwnRequestOnly) {
     const auto subject = judge::startSubject(
         chooseSandbox(at(CONFINE))
             ->confine(confinement, {at(RUNNER), at(GREEDY_SUBJECT), "/", "auto"}),
-        {cgroup.folder().string(), 100, 50});
+        {cgroup.folder().string(), 40, 50});
     subject->callTimeoutMs = 20000;
     EXPECT_EQ(subject->call<int>("modest", 1), 2);
     EXPECT_EQ(testing_help::whatOf<judge::SubjectFailure>([&] { subject->call<int>("eat", 1); }),
-              "eat asked for more memory than it may have (100 MiB)");
+              "eat asked for more memory than it may have (40 MiB)");
     EXPECT_EQ(subject->call<int>("modest", 1), 2);
 }
 

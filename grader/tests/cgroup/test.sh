@@ -24,7 +24,7 @@ outside() {
     # What follows -- are arguments of the first process.
     output=$(timeout --kill-after 5 240 "$linux" root=/dev/root rootfstype=hostfs rootflags=/ ro \
         mem=2G quiet loglevel=1 con=null con0=null,fd:1 "init=$(readlink -f "$0")" -- "$@" \
-        < /dev/null 2>&1 | tr -d '\r' | tee /dev/stderr)
+        < /dev/null 2>&1 | tr -d '\r' | tee >(cat >&2))
     if [[ $output != *"$done_line"* ]]; then
         echo "not everything was as it must be: see above"
         exit 1
