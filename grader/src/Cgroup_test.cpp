@@ -283,9 +283,9 @@ protected:
     }
 };
 
-/// For a shell: a process outside of its group, which runs on when the shell has ended.
+/// For a shell, which ends once there is a process outside of its group that runs on.
 std::string leaveBehind(const std::string& seconds) {
-    return "setsid sleep " + seconds + " > /dev/null 2>&1 & sleep 0.3";
+    return "{ setsid sh -c 'echo; exec sleep " + seconds + " > /dev/null 2>&1' & } | read line";
 }
 
 TEST_F(RealCgroup, TheProgramRunsInIt) {

@@ -31,9 +31,13 @@ outside() {
     fi
 }
 
-# as_user COMMAND…: in the cgroup that the user was given, and alone there.
+# as_user COMMAND…: in a cgroup that the user may divide up, as systemd gives it with Delegate=yes, and
+# alone there.
 as_user() (
-    echo "$BASHPID" > /sys/fs/cgroup/given/cgroup.procs
+    given=/sys/fs/cgroup/given-$BASHPID
+    mkdir "$given"
+    chown 1000:1000 "$given" "$given"/cgroup.{procs,subtree_control}
+    echo "$BASHPID" > "$given/cgroup.procs"
     exec setpriv --reuid 1000 --regid 1000 --clear-groups "$@"
 )
 
@@ -66,10 +70,7 @@ inside() {
     echo "== root"
     run_all env
 
-    # A cgroup that an ordinary user may divide up, as systemd gives it with Delegate=yes.
     echo "+memory +pids" > /sys/fs/cgroup/cgroup.subtree_control
-    mkdir /sys/fs/cgroup/given
-    chown 1000:1000 /sys/fs/cgroup/given /sys/fs/cgroup/given/cgroup.{procs,subtree_control}
     if as_user test -x "$grader"; then
         echo "== a user with a cgroup"
         run_all as_user
