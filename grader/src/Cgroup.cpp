@@ -65,7 +65,7 @@ bool isRootOfAll(const fs::path& cgroup) {
     return !fs::exists(cgroup / "cgroup.type");
 }
 
-// ---- where this process is -------------------------------------------------------------------
+// ---- Where this process is
 
 /// A path in mountinfo writes a space as \040.
 std::string unescaped(const std::string& text) {
@@ -121,7 +121,7 @@ std::optional<Place> whereWeAre(const fs::path& root) {
     return std::nullopt;
 }
 
-// ---- whose a process is ------------------------------------------------------------------------
+// ---- Whose a process is
 
 /// 0 where there is none, or it cannot be seen.
 pid_t parentOf(pid_t process, const fs::path& root) {
@@ -139,8 +139,7 @@ bool descends(pid_t process, pid_t from, const fs::path& root) {
     return false;
 }
 
-// ---- making room
-// ---------------------------------------------------------------------------------
+// ---- Making room
 
 std::string because() {
     return errno == 0 ? "" : fmt::format(": {}", std::strerror(errno));
