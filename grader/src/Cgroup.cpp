@@ -1,7 +1,6 @@
 #include "Cgroup.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "Error.h"
+#include "subject/EndAllIn.h"
 
 namespace grader {
 
@@ -65,7 +65,7 @@ bool isRootOfAll(const fs::path& cgroup) {
     return !fs::exists(cgroup / "cgroup.type");
 }
 
-// ---- where this process is -------------------------------------------------------------------
+// ---- Where this process is
 
 /// A path in mountinfo writes a space as \040.
 std::string unescaped(const std::string& text) {
@@ -121,7 +121,7 @@ std::optional<Place> whereWeAre(const fs::path& root) {
     return std::nullopt;
 }
 
-// ---- whose a process is ------------------------------------------------------------------------
+// ---- Whose a process is
 
 /// 0 where there is none, or it cannot be seen.
 pid_t parentOf(pid_t process, const fs::path& root) {
@@ -139,8 +139,7 @@ bool descends(pid_t process, pid_t from, const fs::path& root) {
     return false;
 }
 
-// ---- making room
-// ---------------------------------------------------------------------------------
+// ---- Making room
 
 std::string because() {
     return errno == 0 ? "" : fmt::format(": {}", std::strerror(errno));
@@ -172,20 +171,12 @@ std::string openUp(const Place& place, const fs::path& root) {
     return "";
 }
 
-void killAllIn(const fs::path& cgroup) {
-    if (set(cgroup / "cgroup.kill", "1"))
-        return;
-    for (const std::string& each : wordsIn(cgroup / "cgroup.procs"))  // before Linux 5.14
-        if (const auto process = static_cast<pid_t>(std::atoi(each.c_str())); process > 1)
-            kill(process, SIGKILL);
-}
-
-/// A cgroup goes once its processes are gone, which may take a moment. What stays is removed by the
-/// next grader.
+/// A cgroup goes once its processes are gone. What stays is removed by the next grader.
 void removeCgroup(const fs::path& cgroup) {
-    constexpr int kMostTries = 2000;  // milliseconds
+    constexpr int kMostTries = 100;
     for (int i = 0; i < kMostTries && rmdir(cgroup.c_str()) != 0 && errno == EBUSY; ++i) {
-        killAllIn(cgroup);
+        if (i == 0)
+            judge::endAllIn(cgroup);
         usleep(1000);
     }
 }

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "subject/EndAllIn.h"
 #include "subject/Subject.h"
 
 namespace judge {
@@ -41,7 +42,7 @@ protected:
         // What an earlier request left running may have gone too far since: this one has no part in
         // it, and gets a new runner.
         if (kernelSteppedIn())
-            stop();
+            startOver();
         if (pid_ < 0)
             start();
         if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)
@@ -56,7 +57,7 @@ protected:
         const auto intervention = kernelSteppedIn();
         if (!intervention)
             return answer;
-        stop();
+        startOver();
         return *intervention;
     }
 
@@ -76,6 +77,12 @@ private:
             return std::nullopt;
         }
         return answer;
+    }
+
+    /// The next request gets a new runner, and no blame for what the kernel did to this one.
+    void startOver() {
+        stop();
+        seen_ = interventionsIn(limits_.cgroup);
     }
 
     Answer judged(const Request& request, protocol::ReadStatus status,
@@ -171,6 +178,7 @@ private:
         kill(pid_, SIGKILL);  // it may not lead its group yet
         kill(-pid_, SIGKILL);
         waitpid(pid_, &status, 0);
+        endAllIn(limits_.cgroup);
         std::string said(kKeptErrors, '\0');
         const ssize_t got = read(errors_, said.data(), said.size());
         said.resize(got > 0 ? static_cast<std::size_t>(got) : 0);

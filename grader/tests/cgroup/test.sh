@@ -24,16 +24,20 @@ outside() {
     # What follows -- are arguments of the first process.
     output=$(timeout --kill-after 5 240 "$linux" root=/dev/root rootfstype=hostfs rootflags=/ ro \
         mem=2G quiet loglevel=1 con=null con0=null,fd:1 "init=$(readlink -f "$0")" -- "$@" \
-        < /dev/null 2>&1 | tr -d '\r' | tee /dev/stderr)
+        < /dev/null 2>&1 | tr -d '\r' | tee >(cat >&2))
     if [[ $output != *"$done_line"* ]]; then
         echo "not everything was as it must be: see above"
         exit 1
     fi
 }
 
-# as_user COMMAND…: in the cgroup that the user was given, and alone there.
+# as_user COMMAND…: in a cgroup that the user may divide up, as systemd gives it with Delegate=yes, and
+# alone there.
 as_user() (
-    echo "$BASHPID" > /sys/fs/cgroup/given/cgroup.procs
+    given=/sys/fs/cgroup/given-$BASHPID
+    mkdir "$given"
+    chown 1000:1000 "$given" "$given"/cgroup.{procs,subtree_control}
+    echo "$BASHPID" > "$given/cgroup.procs"
     exec setpriv --reuid 1000 --regid 1000 --clear-groups "$@"
 )
 
@@ -66,10 +70,7 @@ inside() {
     echo "== root"
     run_all env
 
-    # A cgroup that an ordinary user may divide up, as systemd gives it with Delegate=yes.
     echo "+memory +pids" > /sys/fs/cgroup/cgroup.subtree_control
-    mkdir /sys/fs/cgroup/given
-    chown 1000:1000 /sys/fs/cgroup/given /sys/fs/cgroup/given/cgroup.{procs,subtree_control}
     if as_user test -x "$grader"; then
         echo "== a user with a cgroup"
         run_all as_user
