@@ -1,9 +1,9 @@
 // What grading a class costs, measured side by side in one run.
 //
-//     batch_benchmark [COUNT [USUAL]]   COUNT submissions of 07-camera and of 10-lighting, in
-//     blocks
-//                                       of twenty that take turns with the bare cost of the same;
-//                                       USUAL of them the usual way, too
+//     batch_benchmark [COUNT [USUAL [ASSIGNMENT...]]]
+//                                       COUNT submissions of each assignment (07-camera and
+//                                       10-lighting), in blocks of twenty that take turns with the
+//                                       bare cost of the same; USUAL of them the usual way, too
 //     batch_benchmark --scale COUNT     one batch of COUNT of 06-rotation, with time and memory as
 //                                       it goes on, and a plot of both
 //
@@ -75,13 +75,14 @@ Sums measureClass(const std::string& assignment, std::size_t count, std::size_t 
     return sums;
 }
 
-void compare(std::size_t count, std::size_t usualCount) {
+void compare(std::size_t count, std::size_t usualCount,
+             const std::vector<std::string>& assignments) {
     fmt::print(
         "{} submissions of each, seconds of CPU for each submission; the usual way on {} of "
         "them.\n\n| assignment | bare | batch | batch / bare | the usual way | usual / batch | "
         "again, nothing changed | again / first |\n|---|---|---|---|---|---|---|---|\n",
         count, usualCount);
-    for (const std::string assignment : {"07-camera", "10-lighting"}) {
+    for (const std::string& assignment : assignments) {
         const Sums sums = measureClass(assignment, count, usualCount);
         const double n = static_cast<double>(count);
         const double usual =
@@ -206,10 +207,12 @@ void scale(std::size_t count) {
 int main(int argc, char** argv) try {
     if (argc == 3 && std::string(argv[1]) == "--scale")
         scale(std::stoul(argv[2]));
-    else if (argc <= 3)
-        compare(argc > 1 ? std::stoul(argv[1]) : 200, argc > 2 ? std::stoul(argv[2]) : 5);
+    else if (argc > 1 && !std::isdigit(static_cast<unsigned char>(*argv[1])))
+        throw Error("usage: batch_benchmark [COUNT [USUAL [ASSIGNMENT...]]] | --scale COUNT");
     else
-        throw Error("usage: batch_benchmark [COUNT [USUAL]] | --scale COUNT");
+        compare(argc > 1 ? std::stoul(argv[1]) : 200, argc > 2 ? std::stoul(argv[2]) : 5,
+                argc > 3 ? std::vector<std::string>(argv + 3, argv + argc)
+                         : std::vector<std::string>{"07-camera", "10-lighting"});
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "benchmark: " << error.what() << "\n";
