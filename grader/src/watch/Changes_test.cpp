@@ -178,6 +178,22 @@ TEST(WatchText, TheHintIsThatOfTheFirstLostCheck) {
                 HasSubstr("handout"));
 }
 
+TEST(WatchText, TheGradersOwnFaultIsNoStudents) {
+    AssignmentResult result;
+    result.assignment = "07-camera";
+    result.title = "Camera";
+    result.status = "grader_error";
+    result.tasks.push_back(task("rotate-up", Status::graderError,
+                                {check("a", Status::graderError, 0, 4, "no OpenGL")}));
+    const Json document = Json::parse(toJson(result));
+    Baseline baseline;
+    baseline.take(resultOf({passed("a", 4)}));
+    EXPECT_THAT(baseline.take(document), IsEmpty());
+    const std::string text = verdictText(document, {}, baseline, kPlain);
+    EXPECT_THAT(text, HasSubstr("The grader itself failed"));
+    EXPECT_THAT(text, HasSubstr("no OpenGL"));
+}
+
 TEST(WatchText, ATaskSaysWhereItIs) {
     const Json result = resultOf({failed("a", 4)});
     const std::string text = taskText(result, result.at("tasks").at(0), kPlain);

@@ -4,6 +4,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 
 namespace {
@@ -21,11 +23,19 @@ protected:
 
     /// Whether a change is told within a second, or, when there is none to tell, at once.
     static bool hears(FileWatch& watch, int patienceMs = 1000) {
-        pollfd waiting{watch.descriptor(), POLLIN, 0};
-        while (poll(&waiting, 1, patienceMs) > 0)
+        using namespace std::chrono;
+        const auto end = steady_clock::now() + milliseconds(patienceMs);
+        for (;;) {
+            // Folders above are watched, too, and others may write there all the time.
+            const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
+            pollfd waiting{watch.descriptor(), POLLIN, 0};
+            if (poll(&waiting, 1, std::max(0, int(left))) <= 0)
+                return false;
             if (watch.takeEvents())
                 return true;
-        return false;
+            if (left <= 0)
+                return false;
+        }
     }
 
     /// Takes what the last step may still have to say.

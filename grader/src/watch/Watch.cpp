@@ -22,8 +22,6 @@
 #include "watch/Watch.h"
 
 #include <poll.h>
-#include <sys/signalfd.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,11 +35,11 @@
 #include "Grade.h"
 #include "report/LiveReport.h"
 #include "report/TerminalReport.h"
-#include "watch/Changes.h"
-#include "watch/FileWatch.h"
 #include "watch/GradingProcess.h"
 #include "watch/Keys.h"
+#include "watch/Signals.h"
 #include "watch/WatchText.h"
+#include "watch/Watched.h"
 
 namespace grader {
 
@@ -58,78 +56,6 @@ constexpr int kMostAbandoned = 5;
 
 constexpr const char* kKeysLine = "h hint  n next task  r whole report  o open in browser  q quit";
 
-/// An assignment, and where it stands.
-struct Watched {
-    Manifest manifest;
-    std::vector<fs::path> own, files;  ///< own: those that it submits; files: all that count
-    Contents graded;                   ///< what the last grading began with
-    Json result;                       ///< the last; null before the first
-    std::string report;                ///< the same as a terminal shows it
-    Baseline baseline;
-    bool due = true;
-    bool saved = false;  ///< a file of its own, since the last verdict
-    bool warm = false;   ///< references and signatures are in memory
-};
-
-/// SIGINT and the like as a descriptor, for as long as it lives.
-class Signals {
-public:
-    Signals() {
-        sigset_t mine;
-        sigemptyset(&mine);
-        for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT})
-            sigaddset(&mine, each);
-        sigprocmask(SIG_BLOCK, &mine, &before_);
-        descriptor_ = signalfd(-1, &mine, SFD_NONBLOCK | SFD_CLOEXEC);
-    }
-    ~Signals() {
-        close(descriptor_);
-        sigprocmask(SIG_SETMASK, &before_, nullptr);
-    }
-    Signals(const Signals&) = delete;
-    Signals& operator=(const Signals&) = delete;
-
-    int descriptor() const { return descriptor_; }
-    int take() const {
-        signalfd_siginfo info{};
-        return read(descriptor_, &info, sizeof info) == sizeof info ? int(info.ssi_signo) : 0;
-    }
-
-private:
-    sigset_t before_{};
-    int descriptor_ = -1;
-};
-
-std::vector<Watched> watchedOf(const Toolchain& tools, const WatchOptions& options) {
-    std::vector<Watched> all;
-    for (const std::string& id : options.assignments) {
-        Watched one;
-        one.manifest = loadAssignment(tools.root, id);
-        const fs::path folder = options.submission.folderFor(id, id);
-        for (const std::string& name : one.manifest.submit)
-            one.own.push_back(folder / name);
-        one.files = one.own;
-        for (const auto& [name, from] : one.manifest.inherits) {
-            one.files.push_back(folder / name);
-            if (options.submission.perAssignment)
-                one.files.push_back(options.submission.folderFor(from, id) / name);
-        }
-        all.push_back(std::move(one));
-    }
-    return all;
-}
-
-std::vector<fs::path> filesOf(const std::vector<Watched>& all) {
-    std::vector<fs::path> files;
-    for (const Watched& each : all)
-        files.insert(files.end(), each.files.begin(), each.files.end());
-    return files;
-}
-
-bool isFull(const Watched& one) {
-    return !one.result.is_null() && one.result.at("status") == "graded" && !firstLost(one.result);
-}
-
 std::string timeOfDay() {
     const std::time_t now = std::time(nullptr);
     char text[16];
@@ -142,7 +68,7 @@ public:
     Watcher(const Toolchain& tools, const Sandbox& sandbox, const WatchOptions& options)
         : options_(options),
           grader_(tools, sandbox, options.renderer),
-          watched_(watchedOf(tools, options)),
+          watched_(watchedOf(tools.root, options.submission, options.assignments)),
           files_(filesOf(watched_)),
           pageWanted_(options.writePage || options.openPage),
           toOpen_(options.openPage) {}
@@ -245,7 +171,7 @@ private:
 
     std::size_t firstUnfinished() const {
         for (std::size_t i = 0; i < watched_.size(); ++i)
-            if (!isFull(watched_[i]))
+            if (!watched_[i].isFull())
                 return i;
         return 0;
     }
@@ -314,10 +240,7 @@ private:
             if (now == one.graded)
                 continue;
             waits = waits || (patient && looksUnfinished(one.graded, now));
-            const bool own = std::any_of(one.own.begin(), one.own.end(), [&](const fs::path& file) {
-                const auto before = one.graded.find(file);
-                return before != one.graded.end() && before->second != now.at(file);
-            });
+            const bool own = one.ownChanged(now);
             one.saved = one.saved || own;
             if (own && !std::exchange(any, true))
                 current_ = i;
@@ -429,9 +352,13 @@ private:
     }
 
     int exitCode() const {
-        if (faulty_)
-            return kGraderFailed;
-        return std::all_of(watched_.begin(), watched_.end(), isFull) ? kFullMarks : kSomethingLost;
+        bool full = true;
+        for (const Watched& each : watched_) {
+            if (faulty_ || (!each.result.is_null() && each.result.at("status") == "grader_error"))
+                return kGraderFailed;
+            full = full && each.isFull();
+        }
+        return full ? kFullMarks : kSomethingLost;
     }
 
     const WatchOptions& options_;

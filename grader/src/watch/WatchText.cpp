@@ -98,7 +98,11 @@ std::string verdictText(const Json& result, const std::vector<Change>& changes,
         if (!each.message.empty())
             out.paragraph("      ", each.message.substr(0, each.message.find('\n')));
     }
-    if (changes.empty() && !doesNotCompile(result))
+    if (result.at("status") == "grader_error")
+        out.paragraph("  ! ",
+                      "The grader itself failed below; that is not your mistake. Please report it "
+                      "with the sentence shown.");
+    else if (changes.empty() && !doesNotCompile(result))
         out.paragraph("  ", "No points earned or lost.");
     writeNext(out, result);
     return out.take();
@@ -113,6 +117,10 @@ std::string hintText(const Json& result, const TerminalStyle& style) {
     const Json* check = firstLost(result);
     if (!check) {
         out.paragraph("  ", "Nothing is lost, so there is no hint.");
+        return out.take();
+    }
+    if (check->at("status") == "build_error") {
+        writeLog(out, check->at("message"));
         return out.take();
     }
     const std::string hint = check->at("hint");
