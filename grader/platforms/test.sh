@@ -167,8 +167,8 @@ chmod 700 "$autograder/source" # as setup.sh does
 gradescope() {
     case_name="Gradescope: $1"
     rm -rf "$autograder/submission" "$autograder/results"
-    mkdir -p "$autograder/submission" "$autograder/results"
-    cat > "$autograder/submission/rotation.cpp"
+    mkdir -p "$autograder/submission/${into:-.}" "$autograder/results"
+    cat > "$autograder/submission/${into:-.}/rotation.cpp"
     cat > "$autograder/submission_metadata.json" << 'END'
 {"created_at": "2026-11-04T00:04:00.000000-07:00", "assignment": {"due_date":
 "2026-11-03T23:59:00.000000-07:00"}, "previous_submissions": [{"score": 40.0, "submission_time":
@@ -189,6 +189,9 @@ expect "a check that is shown later" \
     'result.tests.filter(t => t.visibility === "after_due_date").length === 1'
 expect "the sandbox" '/^Sandbox: (bubblewrap|plain)$/m.test(result.output)'
 expect "a report for the instructor" 'output.includes("Rodrigues")'
+
+into=assignments/06-rotation gradescope "a copy of the course" < "$solution"
+expect "full marks" 'result.score === 100'
 
 gradescope "a mistake" < <(transposed)
 expect "points and pictures" \

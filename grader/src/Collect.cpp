@@ -182,10 +182,15 @@ private:
 }  // namespace
 
 Submission submissionIn(const fs::path& folder, const std::vector<std::string>& known) {
-    const bool perAssignment = std::any_of(known.begin(), known.end(), [&](const std::string& id) {
-        return fs::is_directory(fs::symlink_status(folder / id));
-    });
-    return {fs::absolute(folder), perAssignment};
+    const auto hasOneOf = [&](const fs::path& in) {
+        return std::any_of(known.begin(), known.end(), [&](const std::string& id) {
+            return fs::is_directory(fs::symlink_status(in / id));
+        });
+    };
+    const fs::path inCopy = folder / "assignments";
+    if (!hasOneOf(folder) && fs::is_directory(fs::symlink_status(inCopy)) && hasOneOf(inCopy))
+        return {fs::absolute(inCopy), true};
+    return {fs::absolute(folder), hasOneOf(folder)};
 }
 
 fs::path Submission::folderFor(const std::string& assignment, const std::string& graded) const {

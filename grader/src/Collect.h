@@ -23,7 +23,8 @@ struct Submission {
     fs::path folderFor(const std::string& assignment, const std::string& graded) const;
 };
 
-/// What a folder is: with a folder named like one of the `known` assignments it holds one for each.
+/// What a folder is: with a folder named like one of the `known` assignments it holds one for each,
+/// and so does a copy of the course, in its assignments/. Links are not followed.
 Submission submissionIn(const fs::path& folder, const std::vector<std::string>& known);
 
 /// Whose file it is in the stage.

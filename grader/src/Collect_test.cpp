@@ -82,6 +82,24 @@ TEST_F(Collecting, FilesOfOneFolder) {
     EXPECT_THAT(all.ignored, ElementsAre("06-rotation/"));
 }
 
+TEST(SubmissionIn, AFolderHoldsOneAssignmentOrAFolderForEachOrIsACopyOfTheCourse) {
+    const std::vector<std::string> known = {"06-rotation", "07-camera"};
+    const Tree one, each, copy, link;
+    one.write("rotation.cpp", "");
+    EXPECT_FALSE(submissionIn(one.path(), known).perAssignment);
+    each.write("07-camera/Camera.cpp", "");
+    EXPECT_TRUE(submissionIn(each.path(), known).perAssignment);
+    EXPECT_EQ(submissionIn(each.path(), known).folder, each.path());
+    copy.write("assignments/07-camera/Camera.cpp", "");
+    EXPECT_TRUE(submissionIn(copy.path(), known).perAssignment);
+    EXPECT_EQ(submissionIn(copy.path(), known).folder, copy / "assignments");
+    fs::create_directory_symlink(copy / "assignments", link / "assignments");
+    EXPECT_FALSE(submissionIn(link.path(), known).perAssignment) << "links are not followed";
+    fs::create_directory_symlink(each.path(), link / "named");
+    EXPECT_TRUE(submissionIn(link / "named", known).perAssignment)
+        << "but for the one that was named";
+}
+
 TEST_F(Collecting, AMissingFileIsNamedAndReplaced) {
     submit("Camera.h", "mine h");
     const Collected all = collected();

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 
-# Solutions, hidden tests and the seed are nobody's but root's: where a submission cannot be put
+# Solutions and hidden tests are nobody's but root's: where a submission cannot be put
 # into namespaces of its own, it runs as another user, and what others may read it can read.
 chmod 700 .
 

@@ -72,11 +72,12 @@ Selection select(const Toolchain& tools, const Sandbox& sandbox, const Options& 
         return selection;
     }
     const fs::path folder = folderOf(tools, sandbox, options.submission, selection);
+    selection.submission = submissionIn(folder, known);
     std::vector<std::string> present;
     for (const std::string& id : known)
-        if (fs::is_directory(fs::symlink_status(folder / id)))
+        if (selection.submission.perAssignment &&
+            fs::is_directory(fs::symlink_status(selection.submission.folder / id)))
             present.push_back(id);
-    selection.submission = submissionIn(folder, known);
     if (selection.assignments.empty())
         selection.assignments = present;
     if (present.empty() && options.assignments.size() != 1)

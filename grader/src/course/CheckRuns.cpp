@@ -56,9 +56,9 @@ void checkVisibility(const Grader& grader, const Manifest& manifest, Findings& f
     const auto ids = grader.checkIds(manifest);
     for (const auto& [id, visibility] : manifest.visibility)
         if (!ids.contains(id))
-            findings.add(fmt::format("\"visibility\" names \"{}\", and there is no such check", id),
-                         "edit assignment.json; the checks are " +
-                             fmt::format("{}", fmt::join(ids, ", ")));
+            findings.add(
+                fmt::format("\"visibility\" names \"{}\", and there is no such check", id),
+                "edit assignment.json; the checks are " + fmt::format("{}", fmt::join(ids, ", ")));
 }
 
 void checkSolution(const Grader& grader, const Manifest& manifest, Findings& findings,

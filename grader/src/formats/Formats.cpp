@@ -81,6 +81,10 @@ std::string messageOf(const Scored& scored) {
         lines.push_back(std::move(each));
     for (const Json& each : scored.result.value("notices", Json::array()))
         lines.push_back(shortened(each.get<std::string>(), kMostColumns));
+    const auto ignored = scored.result.value("ignored_files", std::vector<std::string>());
+    if (!ignored.empty())
+        lines.push_back(
+            shortened(fmt::format("Not taken: {}", fmt::join(ignored, ", ")), kMostColumns));
     if (scored.result.contains("environment"))
         lines.push_back("Sandbox: " + textOf(scored.result.at("environment"), "sandbox"));
     return fmt::format("{}", fmt::join(lines, "\n"));

@@ -31,7 +31,7 @@ Scored scored(const fs::path& report = {}) {
             {"id": "spot", "title": "Spot", "points": 0, "checks": [
             {"id": "spot", "title": "a person looks", "status": "pending", "points": 0,
              "max_points": 10, "message": "", "hint": ""}]}],
-        "notices": ["Scene.cpp is missing"], "environment": {"sandbox": "plain"}})");
+        "notices": ["Scene.cpp is missing"], "ignored_files": ["a.txt"], "environment": {"sandbox": "plain"}})");
     return one;
 }
 
@@ -46,7 +46,8 @@ Scored broken() {
 TEST(Gradescope, HasATestForEachCheck) {
     const Json json = Json::parse(gradescopeResult(scored()));
     EXPECT_EQ(json.at("score"), 54.6) << "lateness and decisions are in it";
-    EXPECT_EQ(json.at("output"), "2 days late\nScene.cpp is missing\nSandbox: plain");
+    EXPECT_EQ(json.at("output"),
+              "2 days late\nScene.cpp is missing\nNot taken: a.txt\nSandbox: plain");
     ASSERT_EQ(json.at("tests").size(), 3u) << "a check that waits for a person has not failed";
     const Json& failed = json.at("tests").at(2);
     EXPECT_EQ(failed.at("name"), "Turn: a frame");
