@@ -1,5 +1,6 @@
 // Input that is not as it should be: each case has a message that a first-year student can act on.
 
+#include "CourseCopy.h"
 #include "Lab.h"
 
 namespace {
@@ -128,37 +129,18 @@ TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
     EXPECT_TRUE(says(graded, "undefinedThing"));
 }
 
-void copyFolder(const lab::fs::path& from, const lab::fs::path& to) {
-    lab::fs::create_directories(to);
-    lab::fs::copy(from, to, lab::fs::copy_options::recursive);
-}
-
-/// A copy of the repository's assignments with another root, for damage that must not touch ours.
+/// For damage that must not touch ours.
 class DamagedCourse : public testing::Test {
 protected:
-    DamagedCourse() {
-        for (const char* name : {"assignments", "solutions", "reference_images"})
-            copyFolder(lab::root() / name, work_.path() / "course" / name);
-        // The same program beside another toolchain.json.
-        program_ = work_.path() / "bin/grader";
-        lab::fs::create_directories(program_.parent_path());
-        lab::fs::copy_file(COURSE_GRADER, program_);
-        Json tools = Json::parse(
-            lab::readFile(lab::fs::path(COURSE_GRADER).parent_path() / "toolchain.json"));
-        tools["root"] = (work_.path() / "course").string();
-        lab::writeFile(program_.parent_path() / "toolchain.json", tools.dump());
-    }
-
     Graded grade(const std::string& assignment, const std::string& tree = "solutions") {
-        const auto result = lab::run({program_.string(), assignment, "--submission",
-                                      (work_.path() / "course" / tree).string()},
-                                     60.0);
+        const auto result =
+            lab::run({program_.string(), assignment, "--submission", file(tree).string()}, 60.0);
         Graded graded;
         graded.exitCode = result.exitCode;
         graded.text = result.output;
         return graded;
     }
-    lab::fs::path file(const std::string& name) { return work_.path() / "course" / name; }
+    lab::fs::path file(const std::string& name) { return copy_.root() / name; }
     void edit(const std::string& name, const std::string& from, const std::string& to) {
         std::string text = lab::readFile(file(name));
         const auto at = text.find(from);
@@ -166,8 +148,8 @@ protected:
         lab::writeFile(file(name), text.replace(at, from.size(), to));
     }
 
-    lab::WorkFolder work_;
-    lab::fs::path program_;
+    const lab::CourseCopy copy_;
+    const lab::fs::path program_ = copy_.root() / "grade";
 };
 
 TEST_F(DamagedCourse, GradesWhenNothingIsDamaged) {
@@ -228,22 +210,16 @@ TEST_F(DamagedCourse, WithoutSolutionsWhatRestsOnALostTaskIsSkipped) {
 
 TEST_F(DamagedCourse, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
     // A kit whose runner finds broken libraries only, as on a machine that has none.
-    const std::string tools = lab::readFile(program_.parent_path() / "toolchain.json");
-    Json json = Json::parse(tools);
-    const lab::fs::path build = std::string(json.at("build"));
-    const lab::fs::path fake = work_.path() / "build";
-    lab::fs::create_directories(fake);
-    for (const char* name : {"kit", "judges"})
-        copyFolder(build / name, fake / name);
+    const lab::fs::path kit = copy_.build() / "kit", ours = lab::fs::canonical(kit);
+    lab::fs::remove(kit);
+    lab::fs::copy(ours, kit, lab::fs::copy_options::recursive);
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1"})
-        lab::writeFile(fake / "kit/broken" / name, "no library");
-    lab::fs::rename(fake / "kit/bin/runner", fake / "kit/bin/runner.real");
-    lab::writeFile(fake / "kit/bin/runner",
+        lab::writeFile(kit / "broken" / name, "no library");
+    lab::fs::rename(kit / "bin/runner", kit / "bin/runner.real");
+    lab::writeFile(kit / "bin/runner",
                    "#!/bin/sh\nkit=${0%/bin/runner}\n"
                    "LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
-    lab::fs::permissions(fake / "kit/bin/runner", lab::fs::perms(0755));
-    json["build"] = fake.string();
-    lab::writeFile(program_.parent_path() / "toolchain.json", json.dump());
+    lab::fs::permissions(kit / "bin/runner", lab::fs::perms(0755));
     const Graded graded = grade("06-rotation");
     EXPECT_EQ(graded.exitCode, 2);
     EXPECT_TRUE(says(graded, "install libosmesa6"));

@@ -1,7 +1,6 @@
 #include "CourseCopy.h"
 
-#include <algorithm>
-#include <array>
+#include <set>
 
 #include "Fields.h"
 
@@ -11,18 +10,22 @@ using namespace grader;
 
 namespace {
 
+/// What lies around in a checkout, and is none of its files.
+bool isLeftOut(const fs::path& name) {
+    static const std::set<fs::path> ofTheTop = {"build", ".git", "report", ".cache"};
+    return ofTheTop.contains(name) || name.filename() == "node_modules";
+}
+
 void copyCheckout(const fs::path& from, const fs::path& to) {
-    constexpr std::array kLeftOut = {"build", ".git", "report", "node_modules", ".cache"};
-    for (const auto& entry : fs::directory_iterator(from)) {
-        const std::string name = entry.path().filename().string();
-        if (std::find(kLeftOut.begin(), kLeftOut.end(), name) != kLeftOut.end())
-            continue;
-        if (entry.is_directory()) {
+    for (auto it = fs::recursive_directory_iterator(from); it != fs::recursive_directory_iterator();
+         ++it) {
+        const fs::path name = it->path().lexically_relative(from);
+        if (isLeftOut(name))
+            it.disable_recursion_pending();
+        else if (it->is_directory())
             fs::create_directory(to / name);
-            copyCheckout(entry.path(), to / name);
-        } else {
-            fs::copy_file(entry.path(), to / name);
-        }
+        else if (it->is_regular_file())
+            fs::copy_file(it->path(), to / name);
     }
 }
 

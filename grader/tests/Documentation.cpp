@@ -90,7 +90,7 @@ std::string Documentation::runOnce(const std::string& line, const std::string& f
     const std::string key = folder + " " + line;
     if (const auto known = tried_.find(key); known != tried_.end())
         return known->second;
-    const ProcessResult result = copy_.sh(line, folder);
+    const ProcessResult result = copy_.sh(line, folder, 300);
     std::string why;
     if (mayBeMention && result.exitCode == 2 &&
         std::regex_search(result.output, std::regex(" is required|[0-9] required")))
