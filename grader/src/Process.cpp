@@ -59,7 +59,7 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     const bool boxed = TimeBox::end() < own;
     const auto end = boxed ? TimeBox::end() : own;
     for (char buffer[16384];;) {
-        const auto left = duration_cast<milliseconds>(end - steady_clock::now()).count();
+        const auto left = ceil<milliseconds>(end - steady_clock::now()).count();
         pollfd waiting{pipes[0], POLLIN, 0};
         const int ready = left <= 0 ? 0 : poll(&waiting, 1, static_cast<int>(left));
         if (ready == 0) {

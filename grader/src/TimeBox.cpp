@@ -35,7 +35,7 @@ void TimeBox::check() {
 }
 
 void TimeBox::giveUp() {
-    throw Error("it took longer than all its parts may take, and was ended");
+    throw Error("it took longer than it may take as a whole, and was ended");
 }
 
 }  // namespace grader

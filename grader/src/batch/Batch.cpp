@@ -62,15 +62,37 @@ std::map<std::string, fs::path> filesIn(const Submission& submission, const Mani
     return files;
 }
 
-Standing standingFrom(const std::string& entrant, Json document) {
+/// What marks and overview need of a document: the rest of thousands would fill the memory.
+Json essenceOf(const Json& document) {
+    Json tasks = Json::array();
+    for (const Json& task : document.at("tasks")) {
+        Json checks = Json::array();
+        for (const Json& check : task.at("checks")) {
+            Json& kept = checks.emplace_back();
+            for (const char* name : {"id", "title", "status", "points", "max_points"})
+                kept[name] = check.at(name);
+            if (check.at("status") == "tampered")
+                kept["message"] = check.at("message");
+            if (check.contains("images"))
+                kept["images"]["submission"] = check.at("images").at("submission");
+        }
+        Json& kept = tasks.emplace_back();
+        kept = {{"id", task.at("id")}, {"points", task.at("points")}, {"checks", checks}};
+        if (task.contains("recognised"))
+            kept["recognised"]["says"] = task.at("recognised").at("says");
+    }
+    return {{"tasks", std::move(tasks)}};
+}
+
+Standing standingFrom(const std::string& entrant, const Json& document) {
     Standing standing{entrant, document.at("status"), "", 0, 0, nullptr, "", false};
     if (standing.status == "refused") {
         standing.sentence = document.at("sentence");
     } else {
         standing.points = document.at("points");
         standing.maxPoints = document.at("max_points");
+        standing.result = essenceOf(document);
     }
-    standing.result = std::move(document);
     return standing;
 }
 
@@ -150,7 +172,7 @@ std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) con
         }
         ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
     }
-    Standing standing = standingFrom(entrant.name, std::move(found->result));
+    Standing standing = standingFrom(entrant.name, found->result);
     standing.fromBefore = true;
     standing.unstable = ledger_.record(entrant.name).value("unstable", "");
     return standing;
@@ -168,7 +190,7 @@ Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
                                      entrant.kind == EntrantKind::clone ? "repository" : "archive",
                                      unpacked.refusal)}};
         ledger_.keep(entrant.name, key, document.dump(2) + "\n");
-        return standingFrom(entrant.name, std::move(document));
+        return standingFrom(entrant.name, document);
     }
     const Submission submission = submissionIn(unpacked.folder, known_);
     std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, terms_.seed)};

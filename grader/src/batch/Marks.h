@@ -26,7 +26,7 @@ struct Mark {
     double points = 0, maxPoints = 0;
     Lateness lateness;
     std::vector<std::string> warnings;  ///< for the instructor
-    Json result;                        ///< the result document; null where there is none
+    Json result;                        ///< see Standing; or the whole document
 
     bool graderFailed() const { return status == "grader_error"; }
     /// The sentences that a student gets beside the report: late, decided by a person.
