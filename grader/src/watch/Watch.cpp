@@ -297,6 +297,7 @@ private:
 
     void noteChange() {
         lastEvent_ = Clock::now();
+        unfinished_ = false;  // it may be complete now
         if (!pendingSince_)
             pendingSince_ = lastEvent_;
     }
