@@ -159,11 +159,16 @@ std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const Buil
 std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const BuildResult& build,
                                                 std::uint64_t seed, const fs::path& work) const {
     const fs::path resultFile = work / "checks.json";
+    // Not on the command line, which a submission may read where it has no namespace of its own.
+    const fs::path closed = work / "judge";
+    fs::create_directories(closed);
+    fs::permissions(closed, fs::perms::owner_all);
+    writeFile(closed / "seed", std::to_string(seed));
     std::vector<std::string> command = {tools_.judge(manifest.id).string(),
                                         "--result",
                                         resultFile.string(),
-                                        "--seed",
-                                        std::to_string(seed),
+                                        "--seed-file",
+                                        (closed / "seed").string(),
                                         "--call-ms",
                                         fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
                                         "--output-kib",

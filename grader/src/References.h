@@ -18,8 +18,8 @@ class Grader;
 /// solutions.
 inline constexpr std::uint64_t kPublishedSeed = 1;
 
-/// Whether references can be drawn, for a seed that is not published: the solution is here, with its
-/// mistakes. Students may have some solutions; those are without.
+/// Whether references can be drawn, for a seed that is not published: the solution is here, with
+/// its mistakes. Students may have some solutions; those are without.
 bool canDrawReferences(const fs::path& root, const std::string& assignment);
 
 /// What a frame is compared with: in reference_images/NN-name/, FRAME.png is the solution's,

@@ -131,12 +131,12 @@ void observe(Subject& each) {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     CLI::App app("Runs the checks of one assignment in the judge. Started by the grader.");
-    std::string resultPath;
+    std::string resultPath, seedFile;
     std::uint32_t callMs = 2000, outputKib = 64;
     std::vector<std::string> runnerCommand;
     judge::KernelLimits limits;
     app.add_option("--result", resultPath, "write the outcome of each check to this file");
-    app.add_option("--seed", judge::seed, "seed of random inputs");
+    app.add_option("--seed-file", seedFile, "holds the seed of random inputs; default 1");
     app.add_option("--call-ms", callMs, "time limit of one call, milliseconds");
     app.add_option("--output-kib", outputKib, "what one call may print, KiB");
     app.add_option("--cgroup", limits.cgroup, "folder of the cgroup that the runner enters");
@@ -145,6 +145,10 @@ int main(int argc, char** argv) {
     app.add_option("--processes", limits.processes, "what is said when processes do");
     app.add_option("command", runnerCommand, "after --: the command that starts the runner");
     CLI11_PARSE(app, argc, argv);
+    if (!seedFile.empty() && !(std::ifstream(seedFile) >> judge::seed)) {
+        std::cerr << seedFile << ": expected a seed\n";
+        return 2;
+    }
 
     judge::theSubject = judge::makeSubject(runnerCommand, limits);
     judge::observe(judge::subject());

@@ -169,11 +169,13 @@ std::string Documentation::withWords(std::string text) {
 std::vector<std::string> Documentation::tryLinks(const std::string& page,
                                                  const std::string& markdown) const {
     std::vector<std::string> findings;
+    // What is in students/ is laid over the top of their copy.
+    const fs::path folder =
+        page.starts_with("students/") ? copy_.root() : (copy_.root() / page).parent_path();
     for (const Link& link : linksIn(markdown)) {
         const auto hash = link.target.find('#');
         const std::string path = link.target.substr(0, hash);
-        const fs::path file =
-            path.empty() ? copy_.root() / page : copy_.root() / fs::path(page).parent_path() / path;
+        const fs::path file = path.empty() ? copy_.root() / page : folder / path;
         std::string why;
         if (!fs::exists(file)) {
             why = "there is no such file";

@@ -22,9 +22,11 @@ done
 chmod go= handin
 as_root=()
 [[ $(id -u) == 0 ]] || as_root=(sudo -n)
+# In the environment, for other users may read command lines.
+export COURSE_SEED=@SEED@
 code=0
 "${as_root[@]}" /usr/bin/timeout --kill-after=10 "$seconds" "$grader" \
-    @ASSIGNMENT@ --seed @SEED@ --harness autolab 2> error || code=$?
+    @ASSIGNMENT@ --harness autolab 2> error || code=$?
 ((code != 0)) || exit 0
 cat error
 echo "There is no mark, and that is not your mistake: tell your instructor. The grader of commit" \

@@ -18,9 +18,11 @@ if [[ -d $job/tests/solutions ]]; then
     cp -r "$job/tests/solutions" "$course/"
 fi
 
+# In the environment, for other users may read command lines.
+export COURSE_SEED=@SEED@
 code=0
 timeout --kill-after=10 "$seconds" "$course/build/release/grader/grader" \
-    @ASSIGNMENT@ --seed @SEED@ --harness prairielearn || code=$?
+    @ASSIGNMENT@ --harness prairielearn || code=$?
 ((code == 0)) ||
     echo "There is no mark. The grader of commit @COMMIT@ ended with exit code $code (2: see above;" \
         "124 or 137: after $seconds s or without memory; 127: the image has none)."

@@ -220,6 +220,7 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
                             ->add_option("--seed", options.seed,
                                          "seed of random inputs; other than 1 needs "
                                          "solutions/")
+                            ->envname("COURSE_SEED")
                             ->capture_default_str();
     command->add_flag("--open", options.open,
                       "write the report (default folder: report/) and open it in the browser");
