@@ -20,7 +20,7 @@ outside() {
     [[ $1$2$3 != *" "* ]] ||
         not_run "a path with a space does not fit into a kernel's command line"
     # In there compilers are slow: what they make comes out of the object cache, filled here.
-    "$grader" 06-rotation --submission solutions > /dev/null
+    "$grader" 06-rotation --submission "$1/solutions" > /dev/null
     # What follows -- are arguments of the first process.
     output=$(timeout --kill-after 5 240 "$linux" root=/dev/root rootfstype=hostfs rootflags=/ ro \
         mem=2G quiet loglevel=1 con=null con0=null,fd:1 "init=$(readlink -f "$0")" -- "$@" \
