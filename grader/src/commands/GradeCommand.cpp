@@ -105,11 +105,6 @@ TerminalStyle styleFor(const Options& options, bool quiet) {
     return style;
 }
 
-void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
-    writeReportPictures(results, folder);
-    writeFile(folder / "index.html", htmlReport(results, folder));
-}
-
 void showInBrowser(const fs::path& page) {
     if (!openInBrowser(page))
         std::cout << "No browser could be opened (xdg-open). Open this file yourself:\n  "

@@ -74,13 +74,6 @@ std::string outputsOf(const PullRequestResult& graded) {
                        graded.passed() && !graded.graderFailed());
 }
 
-/// Report and result documents for people who want more than the summary.
-void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
-    writeReportPictures(results, folder);
-    writeFile(folder / "index.html", htmlReport(results, folder));
-    writeFile(folder / "result.json", toJson(results));
-}
-
 void tell(const PullRequestResult& graded, const fs::path& files, const Options& options) {
     std::string text;
     for (const AssignmentResult& each : graded.results)
@@ -117,8 +110,10 @@ int gradePullRequest(const Options& options) {
         graded.results.push_back(grader.grade(loadAssignment(tools.root, id),
                                               Submission{files.path(), true}, kPublishedSeed));
     tell(graded, files.path(), options);
-    if (!options.report.empty() && !graded.results.empty())
+    if (!options.report.empty() && !graded.results.empty()) {
         writeReport(graded.results, options.report);
+        writeFile(fs::path(options.report) / "result.json", toJson(graded.results));
+    }
     if (graded.graderFailed())
         return kGraderFailed;
     return graded.passed() ? kFullMarks : kSomethingLost;

@@ -16,8 +16,8 @@ struct StudentCopyWish {
 
 /// The course as students get it: without what .gitattributes calls `instructors`, with what is in
 /// students/ laid over it, its README listing the assignments, and links to pages that it lacks as
-/// plain words. Throws Error for an assignment that
-/// is not known or not in the copy, and for a text in the copy that gives a solution away.
+/// plain words. Throws Error for an assignment that is not known or not in the copy, and for a text
+/// in the copy that gives a solution away.
 CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish);
 
 }  // namespace grader

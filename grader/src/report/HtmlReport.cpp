@@ -292,4 +292,9 @@ std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::p
                       kReportViewer, kReportScript);
 }
 
+void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder) {
+    writeReportPictures(results, folder);
+    writeFile(folder / "index.html", htmlReport(results, folder));
+}
+
 }  // namespace grader

@@ -26,4 +26,7 @@ void copyPictures(std::vector<AssignmentResult>& results, const std::set<std::st
 std::string htmlReport(const std::vector<AssignmentResult>& results, const fs::path& folder,
                        const std::string& version = "");
 
+/// Both: the pictures, and the page as index.html beside them.
+void writeReport(std::vector<AssignmentResult>& results, const fs::path& folder);
+
 }  // namespace grader
