@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -68,15 +67,6 @@ Pipes openPipes() {
 std::string trimmed(const std::string& text) {
     const auto end = text.find_last_not_of(" \n\t");
     return end == std::string::npos ? "" : text.substr(0, end + 1);
-}
-
-/// How long a process's first thread has waited for a processor while it could have run; nothing
-/// where the kernel does not tell.
-std::chrono::nanoseconds waitedForProcessor(pid_t pid) {
-    std::ifstream file("/proc/" + std::to_string(pid) + "/schedstat");
-    long long ran = 0, waited = 0;
-    file >> ran >> waited;
-    return std::chrono::nanoseconds(waited);
 }
 
 /// Children that are meant to live.
@@ -192,13 +182,14 @@ Child::Event Child::await(const Request& request, Bytes& body) {
     const milliseconds allowed(request.timeoutMs);
     const auto start = steady_clock::now();
     const auto waitedBefore = waitedForProcessor(pid_);
+    nanoseconds waitedForDisk{0};
     auto end = start + allowed;
-    auto nextLook = start + milliseconds(kWatchMs);
+    auto lastLook = start;
     pollfd waiting[2] = {{channel_, POLLIN, 0}, {output_, POLLIN, 0}};
     for (;;) {
         auto left = ceil<milliseconds>(end - steady_clock::now()).count();
         if (left <= 0) {
-            const nanoseconds owed = waitedForProcessor(pid_) - waitedBefore;
+            const nanoseconds owed = waitedForProcessor(pid_) - waitedBefore + waitedForDisk;
             end = start + std::min<nanoseconds>(allowed + owed, allowed * protocol::kMostStretch);
             left = ceil<milliseconds>(end - steady_clock::now()).count();
         }
@@ -206,10 +197,12 @@ Child::Event Child::await(const Request& request, Bytes& body) {
             return Event::late;
         if (poll(waiting, 2, static_cast<int>(std::min<long>(left, kWatchMs))) < 0)
             continue;
-        if (steady_clock::now() >= nextLook) {
+        if (const auto now = steady_clock::now(); now - lastLook >= milliseconds(kWatchMs)) {
             if (const auto excess = excessOfUse())
                 return *excess;
-            nextLook = steady_clock::now() + milliseconds(kWatchMs);
+            if (waitsForDisk(pid_))
+                waitedForDisk += now - lastLook;
+            lastLook = now;
         }
         if (waiting[1].revents & (POLLIN | POLLHUP))
             drainOutput();

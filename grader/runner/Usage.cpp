@@ -17,6 +17,7 @@ namespace {
 
 struct Process {
     pid_t id = 0, parent = 0;
+    char state = '?';
     std::size_t threads = 0, residentPages = 0;
 };
 
@@ -29,12 +30,15 @@ Process processOf(pid_t id) {
     if (end == std::string::npos)
         return {};
     std::istringstream fields(line.substr(end + 1));
-    constexpr int kParent = 4, kThreads = 20, kResidentPages = 24;
-    Process process{id, 0, 0, 0};
+    constexpr int kState = 3, kParent = 4, kThreads = 20, kResidentPages = 24;
+    Process process;
+    process.id = id;
     std::string word;
-    for (int field = 3; field <= kResidentPages && fields >> word; ++field) {
+    for (int field = kState; field <= kResidentPages && fields >> word; ++field) {
         const auto number = std::strtoul(word.c_str(), nullptr, 10);
-        if (field == kParent)
+        if (field == kState)
+            process.state = word.front();
+        else if (field == kParent)
             process.parent = static_cast<pid_t>(number);
         else if (field == kThreads)
             process.threads = number;
@@ -98,6 +102,17 @@ std::size_t openFilesOf(pid_t process) {
     while (const dirent* entry = folder ? readdir(folder.get()) : nullptr)
         count += entry->d_name[0] != '.';
     return count;
+}
+
+std::chrono::nanoseconds waitedForProcessor(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/schedstat");
+    long long ran = 0, waited = 0;
+    file >> ran >> waited;
+    return std::chrono::nanoseconds(waited);
+}
+
+bool waitsForDisk(pid_t process) {
+    return processOf(process).state == 'D';
 }
 
 Allowance allowance() {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +23,14 @@ std::vector<pid_t> childrenOfThisProcess();
 
 /// Descriptors that a process has open; 0 where that cannot be seen.
 std::size_t openFilesOf(pid_t process);
+
+/// How long a process's first thread has waited for a processor while it could have run; nothing
+/// where the kernel does not tell.
+std::chrono::nanoseconds waitedForProcessor(pid_t process);
+
+/// Whether its first thread is waiting, this moment, for what no signal interrupts: as a rule a
+/// disk, which may hold the page that it needs next.
+bool waitsForDisk(pid_t process);
 
 /// What this process may use; its children inherit it.
 struct Allowance {

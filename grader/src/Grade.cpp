@@ -47,6 +47,14 @@ bool isGradersFault(const CheckResult& check) {
     return check.status == Status::graderError;
 }
 
+void callTampered(CheckResult& check) {
+    check.status = Status::tampered;
+    check.message =
+        "the submission's process gave an answer that only a fault of the grader would give, and "
+        "there is none: " +
+        check.message;
+}
+
 }  // namespace
 
 AssignmentResult Grader::grade(const Manifest& manifest, const Submission& submission,
@@ -113,27 +121,22 @@ void Grader::fillIn(AssignmentResult& result, const Manifest& manifest, const St
 
 Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& stage,
                                        std::uint64_t seed) const {
-    StageResult result = gradeOnce(manifest, stage, seed);
-    if (std::any_of(result.checks.begin(), result.checks.end(), isGradersFault))
-        attributeFaults(manifest, seed, result);
-    return result;
-}
-
-/// What looks like the grader's own fault was said by a process that runs the submission, and may
-/// be a lie. Where the starter, which is ours, has no such fault, it is one.
-void Grader::attributeFaults(const Manifest& manifest, std::uint64_t seed,
-                             StageResult& graded) const {
-    const auto honest = gradeOnce(manifest, stageOf(manifest, "assignments"), seed).checks;
-    for (std::size_t i = 0; i < graded.checks.size(); ++i) {
-        CheckResult& check = graded.checks[i];
-        if (!isGradersFault(check) || isGradersFault(honest.at(i)))
-            continue;
-        check.status = Status::tampered;
-        check.message =
-            "the submission's process gave an answer that only a fault of the grader "
-            "would give, and there is none: " +
-            check.message;
+    StageResult first = gradeOnce(manifest, stage, seed);
+    if (std::none_of(first.checks.begin(), first.checks.end(), isGradersFault))
+        return first;
+    // What looks like the grader's own fault was said by a process that runs the submission, and
+    // may be a lie. It is one where it is said again and the starter, which is ours, is graded in
+    // between without it. A machine that was short of something for a while costs nobody points.
+    const StageResult honest = gradeOnce(manifest, stageOf(manifest, "assignments"), seed);
+    StageResult again = gradeOnce(manifest, stage, seed);
+    for (std::size_t i = 0; i < again.checks.size(); ++i) {
+        CheckResult& check = again.checks[i];
+        const bool said = isGradersFault(first.checks.at(i)) && isGradersFault(check);
+        const bool submissionHadRun = check.kind != "frame" || again.couldDraw;
+        if (said && submissionHadRun && !isGradersFault(honest.checks.at(i)))
+            callTampered(check);
     }
+    return again;
 }
 
 Grader::StageResult Grader::gradeOnce(const Manifest& manifest, const Stage& stage,
@@ -155,6 +158,7 @@ Grader::StageResult Grader::gradeOnce(const Manifest& manifest, const Stage& sta
         result.checks.push_back(checkOf(manifest, test, tests));
     Frames frames = drawing.get();
     result.graphics = frames.graphics;
+    result.couldDraw = frames.possible;
     auto ofFrames = judgeFrames(manifest, std::move(frames), rules(manifest, seed));
     std::move(ofFrames.begin(), ofFrames.end(), std::back_inserter(result.checks));
     result.observeSeconds = secondsSince(observing);
@@ -257,13 +261,13 @@ std::map<std::string, Picture> Grader::draw(const Manifest& manifest, const Stag
 double longestGrading(const Manifest& manifest) {
     const double once = longestBuild(manifest.limits) + longestObservation(manifest);
     // As it is, with files that do not compile replaced, and once for each task with what it needs
-    // mended, which may mean that each of those is looked at; all of them once more to see whether
+    // mended, which may mean that each of those is looked at; all of them twice more to see whether
     // a fault is the grader's.
     double times = 2;
     for (const Task& task : manifest.tasks)
         if (!task.needs.empty())
             times += 1 + static_cast<double>(task.needs.size());
-    times *= 2;
+    times *= 3;
     // References: from solution, starter, and what lacks a feature.
     times += 2;
     for (const Frame& frame : manifest.frames)

@@ -36,6 +36,7 @@ public:
         BuildResult build;
         std::vector<CheckResult> checks;
         protocol::GraphicsInfo graphics;
+        bool couldDraw = true;  ///< else OpenGL was at fault, before the submission ran
         double buildSeconds = 0, observeSeconds = 0;
     };
     StageResult gradeStage(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
@@ -67,7 +68,6 @@ public:
 
 private:
     StageResult gradeOnce(const Manifest& manifest, const Stage& stage, std::uint64_t seed) const;
-    void attributeFaults(const Manifest& manifest, std::uint64_t seed, StageResult& graded) const;
     std::vector<CheckResult> unjudged(const Manifest& manifest) const;
     void fillIn(AssignmentResult& result, const Manifest& manifest, const StageResult& graded,
                 std::uint64_t seed) const;

@@ -250,6 +250,7 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     request.kind = protocol::RequestKind::graphics;
     if (const std::string fault = askForGraphics(*subject, request, frames.graphics);
         !fault.empty()) {
+        frames.possible = false;
         for (const Frame& frame : manifest.frames)
             frames.byId[frame.id].verdict = {Status::graderError, fault};
         return frames;

@@ -37,6 +37,7 @@ struct FrameOutcome {
 
 struct Frames {
     protocol::GraphicsInfo graphics;
+    bool possible = true;  ///< else OpenGL was at fault, before anything of the submission ran
     std::map<std::string, FrameOutcome> byId;
 };
 

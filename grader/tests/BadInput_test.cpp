@@ -132,9 +132,12 @@ TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
 /// For damage that must not touch ours.
 class DamagedCourse : public testing::Test {
 protected:
-    Graded grade(const std::string& assignment, const std::string& tree = "solutions") {
-        const auto result =
-            lab::run({program_.string(), assignment, "--submission", file(tree).string()}, 60.0);
+    Graded grade(const std::string& assignment, const std::string& tree = "solutions",
+                 const std::vector<std::string>& more = {}) {
+        std::vector<std::string> command = {program_.string(), assignment, "--submission",
+                                            file(tree).string()};
+        command.insert(command.end(), more.begin(), more.end());
+        const auto result = lab::run(command, 60.0);
         Graded graded;
         graded.exitCode = result.exitCode;
         graded.text = result.output;
@@ -208,22 +211,46 @@ TEST_F(DamagedCourse, WithoutSolutionsWhatRestsOnALostTaskIsSkipped) {
     EXPECT_FALSE(says(own, "rests on"));
 }
 
-TEST_F(DamagedCourse, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
-    // A kit whose runner finds broken libraries only, as on a machine that has none.
-    const lab::fs::path kit = copy_.build() / "kit", ours = lab::fs::canonical(kit);
-    lab::fs::remove(kit);
-    lab::fs::copy(ours, kit, lab::fs::copy_options::recursive);
+/// A course whose runner is started by a script of the test's own.
+class DamagedRunner : public DamagedCourse {
+protected:
+    DamagedRunner() {
+        const lab::fs::path ours = lab::fs::canonical(kit());
+        lab::fs::remove(kit());
+        lab::fs::copy(ours, kit(), lab::fs::copy_options::recursive);
+        lab::fs::rename(kit() / "bin/runner", kit() / "bin/runner.real");
+    }
+    lab::fs::path kit() const { return copy_.build() / "kit"; }
+    void startBy(const std::string& script) const {
+        lab::writeFile(kit() / "bin/runner", "#!/bin/sh\nkit=${0%/bin/runner}\n" + script);
+        lab::fs::permissions(kit() / "bin/runner", lab::fs::perms(0755));
+    }
+};
+
+TEST_F(DamagedRunner, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
+    // Broken libraries only, as on a machine that has none.
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1"})
-        lab::writeFile(kit / "broken" / name, "no library");
-    lab::fs::rename(kit / "bin/runner", kit / "bin/runner.real");
-    lab::writeFile(kit / "bin/runner",
-                   "#!/bin/sh\nkit=${0%/bin/runner}\n"
-                   "LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
-    lab::fs::permissions(kit / "bin/runner", lab::fs::perms(0755));
+        lab::writeFile(kit() / "broken" / name, "no library");
+    startBy("LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
     const Graded graded = grade("06-rotation");
     EXPECT_EQ(graded.exitCode, 2);
     EXPECT_TRUE(says(graded, "install libosmesa6"));
     EXPECT_TRUE(says(graded, "that is not your mistake"));
+}
+
+TEST_F(DamagedRunner, ThatFailsForAWhileCostsNoPoints) {
+    // Every runner of the first build fails, as on a machine that is short of processes.
+    const lab::fs::path seen = kit() / "seen";
+    lab::fs::create_directory(seen);
+    lab::fs::permissions(seen, lab::fs::perms(0777));
+    startBy(
+        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
+        "[ \"$(cat $kit/seen/first)\" != \"$1\" ] || exit 3\n"
+        "exec $kit/bin/runner.real \"$@\"\n");
+    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
+    EXPECT_TRUE(lab::fs::exists(seen / "first")) << "nothing has failed";
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_TRUE(says(graded, "100 / 100"));
 }
 
 }  // namespace
