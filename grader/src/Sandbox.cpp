@@ -149,10 +149,10 @@ public:
     std::string name() const override { return "plain"; }
     std::string weakness() const override {
         return geteuid() == 0
-                   ? "bubblewrap does not run on this machine: the submission ran as a plain "
-                     "process with limits, as a user of its own, who can read what others may"
-                   : "bubblewrap does not run on this machine: the submission ran as a plain "
-                     "process with limits, so grade only code that you trust";
+                   ? "without bubblewrap, the submission ran as a plain process with limits, as a "
+                     "user of its own, who can read what others may"
+                   : "without bubblewrap, the submission ran as a plain process with limits, so "
+                     "grade only code that you trust";
     }
 
     Command confine(const Confinement& confinement, const Command& command) const override {
