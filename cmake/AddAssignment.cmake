@@ -5,7 +5,7 @@
 #   NN-name_tests       the judge's test program: public tests, and hidden ones where present
 #   NN-name_debug       the same tests with the student's files linked in, for a debugger
 
-# Student files of an assignment: `submit` as paths in ${tree}, then inherited sources.
+# Student files of an assignment: `submit` as paths in ${tree}, then inherited ones.
 function(course_student_files id tree out_own out_inherited)
     file(READ ${PROJECT_SOURCE_DIR}/assignments/${id}/assignment.json manifest)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
@@ -24,7 +24,12 @@ function(course_student_files id tree out_own out_inherited)
         foreach(i RANGE ${last})
             string(JSON name MEMBER "${manifest}" inherits ${i})
             string(JSON from GET "${manifest}" inherits ${name})
-            list(APPEND inherited ${PROJECT_SOURCE_DIR}/${tree}/${from}/${name})
+            # A copy in the assignment's own folder (./grade carry) is the one that counts.
+            file(GLOB carried CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${tree}/${id}/${name})
+            if(NOT carried)
+                set(carried ${PROJECT_SOURCE_DIR}/${tree}/${from}/${name})
+            endif()
+            list(APPEND inherited ${carried})
         endforeach()
     endif()
     set(${out_own} ${own} PARENT_SCOPE)
@@ -61,7 +66,7 @@ function(course_provided_sources id out)
     set(source ${PROJECT_SOURCE_DIR}/assignments/${id})
     file(GLOB found CONFIGURE_DEPENDS ${source}/*.cpp)
     course_student_files(${id} assignments own inherited)
-    list(REMOVE_ITEM found ${source}/app.cpp ${source}/harness.cpp ${own})
+    list(REMOVE_ITEM found ${source}/app.cpp ${source}/harness.cpp ${own} ${inherited})
     set(${out} ${found} PARENT_SCOPE)
 endfunction()
 

@@ -51,12 +51,11 @@ fs::path freeBackupName(const fs::path& file) {
 
 class Carrying {
 public:
-    Carrying(const fs::path& root, const std::string& from, const std::string& to,
-             const CarryWish& wish)
+    Carrying(const fs::path& root, const std::string& from, const std::string& to, bool force)
         : root_(root),
           from_(loadAssignment(root, from)),
           to_(loadAssignment(root, to)),
-          wish_(wish),
+          force_(force),
           names_(carriedNames(from_, to_)) {}
 
     std::string run() {
@@ -64,14 +63,13 @@ public:
             throw Error("carry {} {}: {} uses no file that {} hands in; {}", from_.id, to_.id,
                         to_.id, from_.id, possiblePairs(root_));
         refuseStarter();
-        std::vector<std::string> names = names_.submitted;
-        if (wish_.copy)
-            names.insert(names.end(), names_.inherited.begin(), names_.inherited.end());
-        refuseLosses(names);
-        for (const std::string& name : names)
+        refuseLosses();
+        for (const std::string& name : names_)
             copy(name);
-        if (!wish_.copy)
-            tellWhatIsFound();
+        text_ += fmt::format(
+            "From now on these count for {}, in grading and in its window: go on changing them "
+            "there.\nThose of {} stay what you hand in for {}.\n",
+            to_.id, from_.id, from_.id);
         return text_;
     }
 
@@ -81,15 +79,14 @@ private:
 
     void refuseStarter() const {
         bool blank = false, filled = false;
-        for (const auto* names : {&names_.inherited, &names_.submitted})
-            for (const std::string& name : *names) {
-                if (!fs::is_regular_file(source(name)))
-                    throw Error("carry {} {}: {} is missing: expected the file that {} hands in",
-                                from_.id, to_.id, source(name).string(), from_.id);
-                const Begun begun = begunIn(readFile(source(name)));
-                blank = blank || begun == Begun::no;
-                filled = filled || begun == Begun::yes;
-            }
+        for (const std::string& name : names_) {
+            if (!fs::is_regular_file(source(name)))
+                throw Error("carry {} {}: {} is missing: expected the file that {} hands in",
+                            from_.id, to_.id, source(name).string(), from_.id);
+            const Begun begun = begunIn(readFile(source(name)));
+            blank = blank || begun == Begun::no;
+            filled = filled || begun == Begun::yes;
+        }
         if (blank && !filled)
             throw Error(
                 "carry {} {}: {} has not been begun: every TODO region in {} is as it was. Do {} "
@@ -110,10 +107,10 @@ private:
         return readFile(file) != readFile(source(name));
     }
 
-    void refuseLosses(const std::vector<std::string>& names) const {
+    void refuseLosses() const {
         std::vector<std::string> changed;
-        for (const std::string& name : names)
-            if (differs(name) && !wish_.force && begunIn(readFile(target(name))) != Begun::no)
+        for (const std::string& name : names_)
+            if (differs(name) && !force_ && begunIn(readFile(target(name))) != Begun::no)
                 changed.push_back(name);
         if (!changed.empty())
             throw Error(
@@ -138,47 +135,29 @@ private:
         text_ += fmt::format("copied to {}{}\n", path, kept);
     }
 
-    void tellWhatIsFound() {
-        if (names_.inherited.empty())
-            return;
-        const bool one = names_.inherited.size() == 1;
-        text_ += fmt::format(
-            "{} of {} {} used by {} where {}: grading and the window look for {} in\n"
-            "assignments/{}. Nothing needs to be copied; go on changing {} there.\n",
-            listed(names_.inherited), from_.id, one ? "is" : "are", to_.id,
-            one ? "it is" : "they are", one ? "it" : "them", from_.id, one ? "it" : "them");
-        for (const std::string& name : names_.inherited)
-            if (fs::exists(target(name)))
-                text_ += fmt::format(
-                    "But assignments/{}/{} is there, and it is the one that counts: remove it, or\n"
-                    "carry with --copy.\n",
-                    to_.id, name);
-    }
-
     const fs::path& root_;
     const Manifest from_, to_;
-    const CarryWish& wish_;
-    const CarriedNames names_;
+    const bool force_;
+    const std::vector<std::string> names_;
     std::string text_;
 };
 
 }  // namespace
 
-CarriedNames carriedNames(const Manifest& from, const Manifest& to) {
-    CarriedNames names;
+std::vector<std::string> carriedNames(const Manifest& from, const Manifest& to) {
+    std::vector<std::string> names;
     for (const std::string& name : from.submit) {
         const auto inherited = to.inherits.find(name);
-        if (inherited != to.inherits.end() && inherited->second == from.id)
-            names.inherited.push_back(name);
-        else if (std::find(to.submit.begin(), to.submit.end(), name) != to.submit.end())
-            names.submitted.push_back(name);
+        if ((inherited != to.inherits.end() && inherited->second == from.id) ||
+            std::find(to.submit.begin(), to.submit.end(), name) != to.submit.end())
+            names.push_back(name);
     }
     return names;
 }
 
 std::string carry(const fs::path& root, const std::string& from, const std::string& to,
-                  const CarryWish& wish) {
-    return Carrying(root, from, to, wish).run();
+                  bool force) {
+    return Carrying(root, from, to, force).run();
 }
 
 }  // namespace grader

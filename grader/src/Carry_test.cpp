@@ -53,53 +53,53 @@ protected:
     bool exists(const std::string& name) const {
         return fs::exists(course / ("assignments/" + name));
     }
-    std::string carried(const CarryWish& wish = {}) const {
-        return carry(course.path(), "01-turn", "02-look", wish);
+    std::string carried(bool force = false) const {
+        return carry(course.path(), "01-turn", "02-look", force);
     }
-    std::string refusal(const std::string& from = "01-turn", const std::string& to = "02-look",
-                        const CarryWish& wish = {}) const {
-        return whatOf<Error>([&] { carry(course.path(), from, to, wish); });
+    std::string refusal(const std::string& from = "01-turn",
+                        const std::string& to = "02-look") const {
+        return whatOf<Error>([&] { carry(course.path(), from, to, false); });
     }
 
     Tree course;
 };
 
-TEST_F(Carries, WhatBothHandInIsCopiedWhatIsInheritedIsFound) {
+TEST_F(Carries, WhatIsInheritedAndWhatBothHandInIsCopied) {
     const std::string text = carried();
-    EXPECT_EQ(read("02-look/notes.cpp"), kSolved);
-    EXPECT_EQ(read("02-look/notes.cpp.before-carry"), kBlank) << "even a starter is kept";
-    EXPECT_FALSE(exists("02-look/turn.cpp"));
-    EXPECT_THAT(text, HasSubstr("copied to assignments/02-look/notes.cpp; what was there is kept"));
-    EXPECT_THAT(text, AllOf(HasSubstr("turn.h and turn.cpp of 01-turn are used by 02-look"),
-                            HasSubstr("Nothing needs to be copied")));
-}
-
-TEST_F(Carries, InheritedFilesAreCopiedOnRequest) {
-    const std::string text = carried({.copy = true});
     EXPECT_EQ(read("02-look/turn.cpp"), kSolved);
     EXPECT_EQ(read("02-look/turn.h"), "int turn();");
+    EXPECT_EQ(read("02-look/notes.cpp"), kSolved);
+    EXPECT_EQ(read("02-look/notes.cpp.before-carry"), kBlank) << "even a starter is kept";
+    EXPECT_EQ(read("01-turn/turn.cpp"), kSolved) << "a copy, not a move";
     EXPECT_THAT(text, HasSubstr("copied to assignments/02-look/turn.cpp\n"));
-    EXPECT_THAT(carried({.copy = true}),
-                HasSubstr("assignments/02-look/turn.cpp is the same file already"));
-    write("01-turn/turn.cpp", kSolved + "// later\n");
-    EXPECT_THAT(carried(), HasSubstr("assignments/02-look/turn.cpp is there, and it is the one"));
+    EXPECT_THAT(text, HasSubstr("copied to assignments/02-look/notes.cpp; what was there is kept"));
+    EXPECT_THAT(text, HasSubstr("From now on these count for 02-look"));
+    EXPECT_THAT(carried(), HasSubstr("assignments/02-look/turn.cpp is the same file already"));
 }
 
 TEST_F(Carries, WhatTheStudentChangedIsNotOverwritten) {
     write("02-look/notes.cpp", region("turn", "return 2;"));
-    EXPECT_THAT(
-        refusal("01-turn", "02-look", {.copy = true}),
-        AllOf(HasSubstr("notes.cpp in "), HasSubstr("nothing was copied"), HasSubstr("--force")));
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("notes.cpp in "), HasSubstr("nothing was copied"),
+                                 HasSubstr("--force")));
     EXPECT_FALSE(exists("02-look/turn.cpp")) << "nothing means nothing";
     EXPECT_EQ(read("02-look/notes.cpp"), region("turn", "return 2;"));
 
-    carried({.force = true});
+    carried(true);
     EXPECT_EQ(read("02-look/notes.cpp"), kSolved);
     EXPECT_EQ(read("02-look/notes.cpp.before-carry"), region("turn", "return 2;"));
     write("02-look/notes.cpp", "third");
-    carried({.force = true});
+    carried(true);
     EXPECT_EQ(read("02-look/notes.cpp.before-carry2"), "third") << "no backup is overwritten";
     EXPECT_EQ(read("02-look/notes.cpp.before-carry"), region("turn", "return 2;"));
+}
+
+TEST_F(Carries, WhatWasGoneOnWithInTheOldPlaceIsNotLostEither) {
+    carried();
+    write("01-turn/turn.cpp", kSolved + "// later\n");
+    EXPECT_THAT(refusal(), HasSubstr("turn.cpp in "));
+    carried(true);
+    EXPECT_EQ(read("02-look/turn.cpp"), kSolved + "// later\n");
+    EXPECT_EQ(read("02-look/turn.cpp.before-carry"), kSolved);
 }
 
 TEST_F(Carries, AStarterIsNotCarried) {
@@ -127,15 +127,13 @@ TEST_F(Carries, AMissingFileIsNamed) {
 
 TEST_F(Carries, AFolderInTheWayIsNamed) {
     fs::create_directory(course / "assignments/02-look/turn.cpp");
-    EXPECT_THAT(refusal("01-turn", "02-look", {.copy = true, .force = true}),
-                HasSubstr("found something else"));
+    EXPECT_THAT(refusal(), HasSubstr("found something else"));
 }
 
 TEST_F(Carries, NamesAreThoseOfTheManifests) {
-    const CarriedNames names = carriedNames(loadAssignment(course.path(), "01-turn"),
-                                            loadAssignment(course.path(), "02-look"));
-    EXPECT_THAT(names.inherited, ElementsAre("turn.h", "turn.cpp"));
-    EXPECT_THAT(names.submitted, ElementsAre("notes.cpp"));
+    EXPECT_THAT(carriedNames(loadAssignment(course.path(), "01-turn"),
+                             loadAssignment(course.path(), "02-look")),
+                ElementsAre("turn.h", "turn.cpp", "notes.cpp"));
 }
 
 }  // namespace

@@ -146,18 +146,6 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest, const
 
 std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const BuildResult& build,
                                             std::uint64_t seed, const fs::path& work) const {
-    auto outcomes = runTestsOnce(manifest, build, seed, work);
-    const auto faulty = [](const TestOutcome& test) {
-        return test.verdict.status == Status::graderError;
-    };
-    if (std::any_of(outcomes.begin(), outcomes.end(), faulty))
-        outcomes = runTestsOnce(manifest, build, seed, work);
-    requireSuites(manifest, outcomes);
-    return outcomes;
-}
-
-std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const BuildResult& build,
-                                                std::uint64_t seed, const fs::path& work) const {
     const fs::path resultFile = work / "checks.json";
     // Not on the command line, which a submission may read where it has no namespace of its own.
     const fs::path closed = work / "judge";
@@ -191,6 +179,7 @@ std::vector<TestOutcome> Observer::runTestsOnce(const Manifest& manifest, const 
     const Json document = parseJsonFile(resultFile.string());
     for (const Json& each : document.at("checks"))
         outcomes.push_back(testOutcomeOf(each));
+    requireSuites(manifest, outcomes);
     return outcomes;
 }
 
@@ -231,9 +220,9 @@ protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
 }
 
 double longestObservation(const Manifest& manifest) {
-    constexpr double kTries = 2, kGraceSeconds = 5;
+    constexpr double kGraceSeconds = 5;
     const double frame = manifest.limits.frameSeconds * protocol::kMostStretch + kGraceSeconds;
-    return kTries * kJudgeSeconds + static_cast<double>(manifest.frames.size() + 1) * frame;
+    return kJudgeSeconds + static_cast<double>(manifest.frames.size() + 1) * frame;
 }
 
 Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,

@@ -53,8 +53,7 @@ public:
     Observer(const Toolchain& tools, const Sandbox& sandbox, Renderer renderer)
         : tools_(tools), sandbox_(sandbox), renderer_(std::move(renderer)) {}
 
-    /// Runs the assignment's test program, in this trusted process's name. A fault of the grader
-    /// is tried once more.
+    /// Runs the assignment's test program, in this trusted process's name.
     std::vector<TestOutcome> runTests(const Manifest& manifest, const BuildResult& build,
                                       std::uint64_t seed, const fs::path& work) const;
 
@@ -70,8 +69,6 @@ public:
 private:
     std::vector<std::string> runnerCommand(const Manifest& manifest, const BuildResult& build,
                                            const Cgroup& cgroup) const;
-    std::vector<TestOutcome> runTestsOnce(const Manifest& manifest, const BuildResult& build,
-                                          std::uint64_t seed, const fs::path& work) const;
 
     const Toolchain& tools_;
     const Sandbox& sandbox_;

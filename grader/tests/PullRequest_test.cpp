@@ -175,6 +175,19 @@ TEST_F(PullRequestTest, TwoAssignmentsTheOneTakesTheOthersFile) {
     EXPECT_THAT(answer.outputs, HasSubstr("points=200\nmax-points=200"));
 }
 
+TEST_F(PullRequestTest, FilesThatWereCarriedForwardCountWhereTheyAre) {
+    write(kRotation, solved(kRotation));
+    write("assignments/08-perspective/projection.cpp",
+          solved("assignments/08-perspective/projection.cpp"));
+    for (const char* name : {"Camera.h", "Camera.cpp"})
+        write(fmt::format("assignments/08-perspective/{}", name),
+              solved(fmt::format("assignments/07-camera/{}", name)));
+    const Answer answer = grade();
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("08-perspective Perspective: 100 / 100"),
+                                      Not(HasSubstr("Not used")), Not(HasSubstr("07-camera"))));
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+}
+
 TEST_F(PullRequestTest, ARenamedFileIsNotReadAndThatIsSaid) {
     sh("cd student && git mv " + std::string(kRotation) + " assignments/06-rotation/Rotation.cpp");
     const Answer answer = grade();

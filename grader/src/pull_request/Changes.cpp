@@ -42,12 +42,15 @@ std::string originOf(const PullRequest& request) {
     return ran.succeeded() ? ran.output.substr(0, ran.output.find('\n')) : request.base;
 }
 
-/// Path → assignment, for every file that students hand in.
-std::map<std::string, std::string> submitPaths(const std::vector<Manifest>& course) {
+/// Path → assignment, for every file that students hand in, or may carry there (./grade carry).
+std::map<std::string, std::string> studentPaths(const std::vector<Manifest>& course) {
     std::map<std::string, std::string> paths;
-    for (const Manifest& each : course)
+    for (const Manifest& each : course) {
         for (const std::string& file : each.submit)
             paths[pathOf(each.id, file)] = each.id;
+        for (const auto& [file, from] : each.inherits)
+            paths[pathOf(each.id, file)] = each.id;
+    }
     return paths;
 }
 
@@ -103,16 +106,16 @@ std::string pathOf(const std::string& assignment, const std::string& file) {
 Changes changesOf(const PullRequest& request, const std::vector<Manifest>& course) {
     refuseAbsent(request);
     const std::string origin = originOf(request);
-    const auto submit = submitPaths(course);
+    const auto taken = studentPaths(course);
     Changes changes;
     bool cut = false;
     std::set<std::string> changed;
-    for (const Entry& each : differences(request, origin, {}, keysOf(submit), cut))
-        changed.insert(submit.at(each.path));
+    for (const Entry& each : differences(request, origin, {}, keysOf(taken), cut))
+        changed.insert(taken.at(each.path));
     changes.assignments.assign(changed.begin(), changed.end());
 
     for (const Entry& each : differences(request, origin, {"-M"}, {}, changes.unusedCut)) {
-        const bool ours = submit.contains(each.path);
+        const bool ours = taken.contains(each.path);
         if (ours && each.letter == 'R')
             changes.notices.push_back(
                 fmt::format("{} was renamed to {}: it is read only under its old name", each.path,
@@ -120,7 +123,7 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
         else if (ours && each.letter == 'D')
             changes.notices.push_back(fmt::format("{} was deleted", each.path));
         const std::string& path = each.renamedTo.empty() ? each.path : each.renamedTo;
-        if (submit.contains(path))
+        if (taken.contains(path))
             continue;
         if (changes.unused.size() < kMostUnused)
             changes.unused.push_back(path);
@@ -132,9 +135,9 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
 
 std::vector<std::string> takeFiles(const PullRequest& request, const std::vector<Manifest>& course,
                                    const fs::path& folder) {
-    const auto submit = submitPaths(course);
+    const auto taken = studentPaths(course);
     std::vector<std::string> command = {"ls-tree", "-r", "-l", "-z", request.head, "--"};
-    for (const std::string& path : keysOf(submit))
+    for (const std::string& path : keysOf(taken))
         command.push_back(path);
     const ProcessResult list = git(request.repository, command);
     if (!list.succeeded())
@@ -146,7 +149,7 @@ std::vector<std::string> takeFiles(const PullRequest& request, const std::vector
         const std::string path = line.substr(line.find('\t') + 1);
         std::string mode, type, object, size;
         fields >> mode >> type >> object >> size;
-        if (!submit.contains(path))
+        if (!taken.contains(path))
             continue;
         if (mode != "100644" && mode != "100755") {
             notices.push_back(path + " is no regular file and was not taken");

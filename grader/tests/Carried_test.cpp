@@ -1,0 +1,35 @@
+// A student's files of one assignment, carried to the next: every program takes them from there.
+
+#include <gmock/gmock.h>
+
+#include "CourseCopy.h"
+#include "Lab.h"
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = lab::fs;
+
+const std::string kCamera = "assignments/08-perspective/Camera.cpp";
+
+TEST(Carried, FilesCountInGradingAndInTheWindow) {
+    const lab::CourseCopy copy;
+    for (const char* name : {"Camera.h", "Camera.cpp"})
+        fs::copy_file(copy.root() / "solutions/07-camera" / name,
+                      copy.root() / "assignments/07-camera" / name,
+                      fs::copy_options::overwrite_existing);
+    const auto carried = copy.sh("./grade carry 07-camera 08-perspective");
+    ASSERT_EQ(carried.exitCode, 0) << carried.output;
+    EXPECT_THAT(carried.output, HasSubstr("copied to " + kCamera));
+    EXPECT_THAT(copy.sh("./grade 08-perspective --submission assignments").output,
+                HasSubstr("✓ perspective"));
+
+    lab::writeFile(copy.root() / kCamera,
+                   lab::readFile(copy.root() / kCamera) + "#error this one\n");
+    EXPECT_THAT(copy.sh("./grade 08-perspective").output, HasSubstr("Camera.cpp:"));
+    const auto window = copy.buildAssignment("08-perspective");
+    EXPECT_FALSE(window.succeeded());
+    EXPECT_THAT(window.output, HasSubstr(kCamera + ":"));
+}
+
+}  // namespace
