@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "Error.h"
+#include "Regions.h"
 
 namespace grader {
 
@@ -41,8 +42,6 @@ public:
     }
 
 private:
-    fs::path starter(const std::string& id) const { return root_ / "assignments" / id; }
-
     void addProvided() {
         std::set<std::string> student(manifest_.submit.begin(), manifest_.submit.end());
         for (const auto& [name, from] : manifest_.inherits)
@@ -66,25 +65,22 @@ private:
             return;
         }
         result_.notices.push_back(name + " is missing: graded with the starter's file");
-        add(name, Role::own, "starter", starter(manifest_.id) / name);
+        add(name, Role::own, "starter", root_ / "assignments" / manifest_.id / name);
     }
 
     void addInherited(const std::string& name, const std::string& from) {
-        struct Place {
-            const char* origin;
-            fs::path path;
-        };
-        const Place places[] = {
-            {"submission", submission_.folderFor(manifest_.id, manifest_.id) / name},
-            {"submission", submission_.folderFor(from, manifest_.id) / name},
-            {"solutions", root_ / "solutions" / from / name},
-            {"starter", starter(from) / name},
-        };
-        for (const Place& place : places)
-            if (fs::exists(fs::symlink_status(place.path)))
-                return add(name, Role::inherited, place.origin, place.path);
-        throw Error("{}: inherited file {} is nowhere in assignments/{}",
-                    (manifest_.folder / "assignment.json").string(), name, from);
+        for (const std::string& id : {manifest_.id, from}) {
+            const fs::path path = submission_.folderFor(id, manifest_.id) / name;
+            if (fs::exists(fs::symlink_status(path)))
+                return add(name, Role::inherited, "submission", path);
+        }
+        StagedFile substitute = substituteFor(root_, manifest_, name);
+        if (const auto tasks = tasksIn(manifest_, substitute.content); !tasks.empty())
+            result_.notices.push_back(
+                fmt::format("{} of {} is missing, and {} with it: expected it among the files "
+                            "handed in",
+                            name, from, fmt::join(tasks, ", ")));
+        result_.stage.files.push_back(std::move(substitute));
     }
 
     void add(const std::string& name, Role role, const std::string& origin, const fs::path& path) {
@@ -208,6 +204,47 @@ const StagedFile* Stage::find(const std::string& name) const {
         if (file.name == name)
             return &file;
     return nullptr;
+}
+
+std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& text) {
+    std::vector<std::string> tasks;
+    for (const auto& [id, body] : regionsOf(text))
+        if (manifest.task(id))
+            tasks.push_back(id);
+    return tasks;
+}
+
+std::vector<HandedIn> handedIn(const Manifest& manifest) {
+    const fs::path assignments = manifest.folder.parent_path();
+    std::vector<HandedIn> all;
+    for (const std::string& name : manifest.submit)
+        all.push_back({name, manifest.folder / name});
+    std::set<std::string> sources;
+    for (const auto& [name, from] : manifest.inherits)
+        if (const fs::path starter = assignments / from / name;
+            fs::exists(starter) && !tasksIn(manifest, readFile(starter)).empty())
+            sources.insert(from);
+    for (const auto& [name, from] : manifest.inherits)
+        if (sources.contains(from))
+            all.push_back({name, assignments / from / name});
+    return all;
+}
+
+StagedFile substituteFor(const fs::path& root, const Manifest& manifest, const std::string& name) {
+    const std::string& from = manifest.inherits.at(name);
+    const fs::path solution = root / "solutions" / from / name,
+                   starter = root / "assignments" / from / name;
+    if (!fs::exists(starter))
+        throw Error("{}: inherited file {} is nowhere in assignments/{}",
+                    (manifest.folder / "assignment.json").string(), name, from);
+    const std::string begun = readFile(starter);
+    if (!fs::exists(solution))
+        return {name, Role::inherited, "starter", begun};
+    std::string content = readFile(solution);
+    const auto regions = regionsOf(begun);
+    for (const std::string& task : tasksIn(manifest, begun))
+        content = withRegion(content, task, regions.at(task)).value_or(content);
+    return {name, Role::inherited, "solutions", std::move(content)};
 }
 
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission) {

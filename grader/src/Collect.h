@@ -57,11 +57,29 @@ struct Collected {
     bool anythingSubmitted = false;
 };
 
+/// Tasks of an assignment that have a region in a file's text.
+std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& text);
+
+/// A file that students hand in, and the one that they begin with.
+struct HandedIn {
+    std::string name;
+    fs::path starter;
+};
+
+/// What students hand in for an assignment: `submit`; and where a task is solved in a file of an
+/// earlier assignment, that one's files (08-perspective: Camera.h and Camera.cpp of 07-camera).
+std::vector<HandedIn> handedIn(const Manifest& manifest);
+
+/// What takes the place of an inherited file that is missing or broken: the solution's, in which
+/// the tasks of the assignment itself are as the starter has them; or the starter's where there are
+/// no solutions.
+StagedFile substituteFor(const fs::path& root, const Manifest& manifest, const std::string& name);
+
 /// Takes the files that the manifest lists and nothing else.
 ///
 /// A missing file is named and replaced by the starter's. An inherited file is looked up in the
-/// submission's folder for this assignment, in its folder for the named one, in solutions/, then
-/// in the starter. A byte-order mark and carriage returns are taken out; a file that is not UTF-8
+/// submission's folder for this assignment, in its folder for the named one, and replaced by
+/// substituteFor() where it is in neither. A byte-order mark and carriage returns are taken out; a file that is not UTF-8
 /// or cannot be read is reported in `unreadable`.
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);
 

@@ -130,6 +130,36 @@ TEST_F(Collecting, AnInheritedFileIsLookedUpFromNearToFar) {
     EXPECT_THAT(all.ignored, IsEmpty()) << "it was taken";
 }
 
+TEST_F(Collecting, ATaskInAnInheritedFileIsNeverTheSolutions) {
+    const auto with = [](const std::string& body, const std::string& other) {
+        return "// BEGIN TODO(tilt)\n" + body + "\n// END TODO(tilt)\n// BEGIN TODO(turn)\n" +
+               other + "\n// END TODO(turn)\n";
+    };
+    course.write("assignments/06-rotation/rotation.cpp", with("tilt?", "turn?"));
+    course.write("assignments/06-rotation/rotation.h", "starter h");
+    course.write("solutions/06-rotation/rotation.cpp", with("tilted", "turned"));
+    manifest.inherits = {{"rotation.cpp", "06-rotation"}, {"rotation.h", "06-rotation"}};
+    const auto names = [&] {
+        std::vector<std::string> all;
+        for (const HandedIn& each : handedIn(manifest))
+            all.push_back(each.name);
+        return all;
+    };
+    EXPECT_THAT(names(), ElementsAre("Camera.h", "Camera.cpp"));
+    EXPECT_EQ(substituteFor(course.path(), manifest, "rotation.cpp").content,
+              with("tilted", "turned"));
+
+    manifest.tasks.push_back({.id = "tilt"});
+    EXPECT_THAT(names(), ElementsAre("Camera.h", "Camera.cpp", "rotation.cpp", "rotation.h"));
+    submitBoth();
+    const Collected all = collected();
+    EXPECT_EQ(staged(all, "rotation.cpp"), with("tilt?", "turned") + " (solutions)");
+    EXPECT_THAT(all.notices, ElementsAre(HasSubstr("rotation.cpp of 06-rotation is missing, and "
+                                                   "tilt with it")));
+    hand.write("06-rotation/rotation.cpp", with("mine", "mine"));
+    EXPECT_EQ(staged(collected(), "rotation.cpp"), with("mine", "mine") + " (submission)");
+}
+
 TEST_F(Collecting, AnInheritedFileThatIsNowhereIsTheManifestsFault) {
     manifest.inherits = {{"cross.cpp", "06-rotation"}};
     EXPECT_THAT(whatOf<Error>([&] { collected(); }),

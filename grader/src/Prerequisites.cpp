@@ -62,19 +62,20 @@ private:
     }
 
     void replaceBrokenFiles() {
-        std::set<std::string> broken;
+        std::map<std::string, const Diagnostic*> broken;  // file → its first error
         for (const Diagnostic& each : graded_.build.diagnostics)
             if (each.severity == "error")
-                broken.insert(each.file);
-        for (const std::string& name : broken) {
-            const std::string from = manifest_.inherits.at(name);
+                broken.emplace(each.file, &each);
+        for (const auto& [name, error] : broken) {
             StagedFile& file = *stage_.find(name);
-            file.origin = fs::exists(root_ / "solutions" / from / name) ? "solutions" : "starter";
-            const char* tree = file.origin == "solutions" ? "solutions" : "assignments";
-            file.content = readFile(root_ / tree / from / name);
+            file = substituteFor(root_, manifest_, name);
+            std::string lost = fmt::format("{}", fmt::join(tasksIn(manifest_, file.content), ", "));
+            if (!lost.empty())
+                lost = ", without your " + lost;
             notices_.push_back(
-                fmt::format("{} of {} does not compile: the {} took its place", name, from,
-                            file.origin == "solutions" ? "solution's" : "starter's"));
+                fmt::format("{} of {} does not compile (line {}: {}): the {} took its place{}",
+                            name, manifest_.inherits.at(name), error->line, error->message,
+                            file.origin == "solutions" ? "solution's" : "starter's", lost));
         }
         graded_ = grader_.gradeStage(manifest_, stage_, seed_);
     }
@@ -122,7 +123,9 @@ private:
             const fs::path solved = root_ / "solutions" / need.assignment / file.name;
             if (!ofNeed || !fs::exists(solved))
                 continue;
-            const std::string text = readFile(solved);
+            const std::string text = file.role == Role::inherited
+                                         ? substituteFor(root_, manifest_, file.name).content
+                                         : readFile(solved);
             // With fences only the region is replaced; an inherited file is replaced as a whole.
             const auto regions = regionsOf(text);
             std::optional<std::string> better;

@@ -230,15 +230,17 @@ Print Batch::printOf(const std::string& entrant, const Submission& submission) c
     const fs::path& root = grader_.tools().root;
     Print print{entrant, {}, ""};
     std::string words;
-    for (const StagedFile& file : collect(root, manifest_, submission).stage.files) {
-        if (file.role != Role::own || file.origin != "submission")
+    const Stage stage = collect(root, manifest_, submission).stage;
+    for (const HandedIn& each : handedIn(manifest_)) {
+        const StagedFile* file = stage.find(each.name);
+        if (file->origin != "submission")
             continue;
-        words += wordsOf(file.content) + "\n";
-        print.own.merge(fingerprintsOf(file.content));
+        words += wordsOf(file->content) + "\n";
+        print.own.merge(fingerprintsOf(file->content));
     }
-    for (const std::string& name : manifest_.submit)
-        for (const std::uint64_t each : fingerprintsOf(readFile(manifest_.folder / name)))
-            print.own.erase(each);
+    for (const HandedIn& each : handedIn(manifest_))
+        for (const std::uint64_t mark : fingerprintsOf(readFile(each.starter)))
+            print.own.erase(mark);
     print.exact = sha256(words);
     return print;
 }

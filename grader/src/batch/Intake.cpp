@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "Collect.h"
 #include "Error.h"
 #include "batch/Csv.h"
 #include "batch/Platforms.h"
@@ -20,11 +21,13 @@ bool isPlain(const fs::directory_entry& entry) {
 /// The archive that a student's folder stands for.
 std::optional<fs::path> archiveInside(const fs::path& folder, const Manifest& manifest,
                                       const std::vector<std::string>& known) {
+    const auto listed = handedIn(manifest);
     std::optional<fs::path> archive;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         const auto isOne = [&](const std::string& each) { return each == name; };
-        if (std::any_of(manifest.submit.begin(), manifest.submit.end(), isOne) ||
+        if (std::any_of(listed.begin(), listed.end(),
+                        [&](const HandedIn& each) { return isOne(each.name); }) ||
             std::any_of(known.begin(), known.end(), isOne))
             return std::nullopt;
         if (!isPlain(entry) || !stemOfArchive(name))

@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 
+#include "Collect.h"
 #include "Error.h"
 
 namespace grader {
@@ -23,24 +24,26 @@ std::vector<fs::directory_entry> visibleEntries(const fs::path& folder) {
     return entries;
 }
 
-bool isOneOf(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+bool isHandedIn(const Manifest& manifest, const std::string& name) {
+    const auto all = handedIn(manifest);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const HandedIn& each) { return each.name == name; });
 }
 
 /// "Camera-1.cpp" → "Camera.cpp", where that is a file of the assignment.
 std::string withoutRepeat(const std::string& name, const Manifest& manifest) {
     static const std::regex kRepeat(R"((.+)-\d+(\.[^.]+))");
     std::smatch part;
-    if (!std::regex_match(name, part, kRepeat) || isOneOf(manifest.submit, name))
+    if (!std::regex_match(name, part, kRepeat) || isHandedIn(manifest, name))
         return name;
     const std::string plain = part[1].str() + part[2].str();
-    return isOneOf(manifest.submit, plain) ? plain : name;
+    return isHandedIn(manifest, plain) ? plain : name;
 }
 
 /// Files of one student that lie among others': one archive stands for itself.
 Entrant entrantOfFiles(std::string name, std::vector<LooseFile> files, const Manifest& manifest) {
     const bool anyListed = std::any_of(files.begin(), files.end(), [&](const LooseFile& each) {
-        return isOneOf(manifest.submit, each.name);
+        return isHandedIn(manifest, each.name);
     });
     const auto archives = std::count_if(files.begin(), files.end(), [](const LooseFile& each) {
         return stemOfArchive(each.name).has_value();

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "Collect.h"
 #include "Error.h"
 #include "formats/Formats.h"
 #include "report/Words.h"
@@ -37,6 +38,9 @@ std::string tableOf(const Manifest& manifest) {
 
 /// The words between two @ in the scripts of grader/platforms.
 std::map<std::string, std::string> wordsFor(const PackageOrder& order) {
+    std::vector<std::string> files;
+    for (const HandedIn& each : handedIn(order.manifest))
+        files.push_back(each.name);
     double automatic = 0, manual = 0;
     for (const Task& task : order.manifest.tasks)
         (task.manual ? manual : automatic) += task.points;
@@ -44,7 +48,7 @@ std::map<std::string, std::string> wordsFor(const PackageOrder& order) {
             {"@TITLE@", order.manifest.title},
             {"@SEED@", std::to_string(order.seed)},
             {"@COMMIT@", order.course.commit},
-            {"@FILES@", fmt::format("{}", fmt::join(order.manifest.submit, ","))},
+            {"@FILES@", fmt::format("{}", fmt::join(files, ","))},
             {"@AUTOMATIC@", showPoints(automatic)},
             {"@MANUAL@", showPoints(manual)},
             {"@TASKS@", tableOf(order.manifest)}};
