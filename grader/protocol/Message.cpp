@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <utility>
 
 namespace protocol {
 
@@ -40,25 +41,6 @@ int msLeft(Clock::time_point start, int deadlineMs) {
     const auto passed =
         std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start).count();
     return passed >= deadlineMs ? 0 : deadlineMs - static_cast<int>(passed);
-}
-
-ReadStatus readExactly(int descriptor, std::uint8_t* data, std::size_t size,
-                       Clock::time_point start, int deadlineMs) {
-    for (std::size_t done = 0; done < size;) {
-        pollfd waiting{descriptor, POLLIN, 0};
-        const int ready = poll(&waiting, 1, msLeft(start, deadlineMs));
-        if (ready < 0 && errno == EINTR)
-            continue;
-        if (ready == 0)
-            return ReadStatus::late;
-        const ssize_t got = ready < 0 ? -1 : read(descriptor, data + done, size - done);
-        if (got < 0 && (errno == EINTR || errno == EAGAIN))
-            continue;
-        if (got <= 0)
-            return ReadStatus::closed;
-        done += static_cast<std::size_t>(got);
-    }
-    return ReadStatus::ok;
 }
 
 }  // namespace
@@ -151,18 +133,44 @@ Bytes framed(std::uint32_t magic, const Bytes& body) {
     return out.take();
 }
 
+std::optional<ReadStatus> MessageReader::step(int descriptor) {
+    std::uint8_t* data =
+        hasHeader_ ? body_.data() : reinterpret_cast<std::uint8_t*>(header_.data());
+    const std::size_t size = hasHeader_ ? body_.size() : sizeof header_;
+    const ssize_t got = read(descriptor, data + done_, size - done_);
+    if (got < 0 && (errno == EINTR || errno == EAGAIN))
+        return std::nullopt;
+    if (got <= 0)
+        return ReadStatus::closed;
+    done_ += static_cast<std::size_t>(got);
+    if (done_ < size)
+        return std::nullopt;
+    if (hasHeader_)
+        return ReadStatus::ok;
+    if (header_[0] != magic_ || header_[1] > largest_)
+        return ReadStatus::malformed;
+    hasHeader_ = true;
+    done_ = 0;
+    body_.resize(header_[1]);
+    return body_.empty() ? std::optional(ReadStatus::ok) : std::nullopt;
+}
+
 ReadStatus readMessage(int descriptor, std::uint32_t magic, std::size_t largest, int deadlineMs,
                        Bytes& body) {
     const auto start = Clock::now();
-    std::uint32_t header[2];
-    if (const auto status = readExactly(descriptor, reinterpret_cast<std::uint8_t*>(header),
-                                        sizeof header, start, deadlineMs);
-        status != ReadStatus::ok)
-        return status;
-    if (header[0] != magic || header[1] > largest)
-        return ReadStatus::malformed;
-    body.resize(header[1]);
-    return readExactly(descriptor, body.data(), body.size(), start, deadlineMs);
+    MessageReader reader(magic, largest);
+    for (;;) {
+        pollfd waiting{descriptor, POLLIN, 0};
+        const int ready = poll(&waiting, 1, msLeft(start, deadlineMs));
+        if (ready < 0 && errno == EINTR)
+            continue;
+        if (ready == 0)
+            return ReadStatus::late;
+        if (const auto status = reader.step(descriptor)) {
+            body = std::move(reader.body());
+            return *status;
+        }
+    }
 }
 
 bool writeAll(int descriptor, const Bytes& bytes) {

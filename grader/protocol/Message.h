@@ -85,6 +85,25 @@ inline constexpr std::uint32_t kMostStretch = 5;
 
 enum class ReadStatus { ok, closed, late, malformed };
 
+/// Reads one message piece by piece, for who has to do something else in between.
+class MessageReader {
+public:
+    MessageReader(std::uint32_t magic, std::size_t largest) : magic_(magic), largest_(largest) {}
+
+    /// Reads what is there to be read, at most once, from a descriptor that poll() called readable.
+    /// Nothing while the message is not whole; never `late`.
+    std::optional<ReadStatus> step(int descriptor);
+    /// The body, once step() said `ok`.
+    Bytes& body() { return body_; }
+
+private:
+    std::uint32_t magic_;
+    std::size_t largest_, done_ = 0;  // bytes of the header, then of the body
+    std::array<std::uint32_t, 2> header_{};
+    bool hasHeader_ = false;
+    Bytes body_;
+};
+
 /// Reads one message from a blocking descriptor. `deadlineMs` counts from now; negative: no limit.
 /// `malformed`: another magic number, or longer than `largest`.
 ReadStatus readMessage(int descriptor, std::uint32_t magic, std::size_t largest, int deadlineMs,

@@ -185,6 +185,7 @@ Child::Event Child::await(const Request& request, Bytes& body) {
     nanoseconds waitedForDisk{0};
     auto end = start + allowed;
     auto lastLook = start;
+    protocol::MessageReader answer(protocol::kAnswerMagic, protocol::kLargestAnswer);
     pollfd waiting[2] = {{channel_, POLLIN, 0}, {output_, POLLIN, 0}};
     for (;;) {
         auto left = ceil<milliseconds>(end - steady_clock::now()).count();
@@ -212,15 +213,17 @@ Child::Event Child::await(const Request& request, Bytes& body) {
             return Event::flooded;
         if (!waiting[0].revents)
             continue;
-        switch (protocol::readMessage(channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
-                                      static_cast<int>(left), body)) {
+        const auto status = answer.step(channel_);
+        if (!status)
+            continue;
+        switch (*status) {
             case protocol::ReadStatus::ok:
+                body = std::move(answer.body());
                 break;
             case protocol::ReadStatus::closed:
                 drainOutput();
                 return Event::closed;
             case protocol::ReadStatus::late:
-                return Event::late;
             case protocol::ReadStatus::malformed:
                 body.clear();
                 break;

@@ -1,11 +1,11 @@
 #include "Archive.h"
 
 #include <algorithm>
+#include <csignal>
 #include <optional>
 
 #include "Error.h"
 #include "Process.h"
-#include "unpack/Unpack.h"
 
 namespace grader {
 
@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kSeconds = 20;
 constexpr int kMemoryMib = 512;
-constexpr std::size_t kLargestArchive = unpack::Limits{}.bytes;
 constexpr int kMostMib = kLargestArchive >> 20;
 
 /// The only folder in `folder`, when there is nothing else but what operating systems leave.
@@ -153,6 +152,8 @@ Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& 
                             {"git", "-c", "safe.directory=*", "--git-dir=" + bare.string(),
                              "archive", "--format=tar", "-o", (made / "file").string(), "HEAD"}),
             3 * kSeconds);
+    if (sandboxFailed(ran) || ran.exitCode == 128 + SIGKILL)
+        throw Error("git cannot be run for {}: {}", repository.string(), ran.output);
     if (!ran.succeeded())
         return {{}, "git cannot read its commit HEAD", ""};
     return unpackFile(tools, sandbox, job, repository.string(), known);

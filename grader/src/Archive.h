@@ -3,8 +3,12 @@
 #include <optional>
 
 #include "Build.h"
+#include "unpack/Unpack.h"
 
 namespace grader {
+
+/// Bytes of an archive that is taken, at most, as it is and unpacked.
+inline constexpr std::size_t kLargestArchive = unpack::Limits{}.bytes;
 
 /// What became of an archive that a student handed in.
 struct Unpacked {

@@ -1,6 +1,7 @@
 #include "Build.h"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 #include "Portability.h"
 #include "Process.h"
 #include "TimeBox.h"
+#include "protocol/Message.h"
 #include "subject/KernelLimits.h"
 
 namespace grader {
@@ -34,17 +36,33 @@ bool ranOutOfMemory(const std::string& log) {
     return false;
 }
 
-/// In the words of g++ and of collect2, or in bubblewrap's exit code.
+/// In the words of g++ and of collect2, or in bubblewrap's exit code: by SIGKILL, or by SIGXCPU.
 bool wasKilled(const ProcessResult& result) {
-    constexpr int kBySigkill = 128 + SIGKILL;
-    return result.signal == SIGKILL || result.exitCode == kBySigkill ||
-           result.output.find("Killed signal terminated program") != std::string::npos ||
-           result.output.find("terminated with signal 9") != std::string::npos;
+    for (const int signal : {SIGKILL, SIGXCPU})
+        if (result.signal == signal || result.exitCode == 128 + signal ||
+            result.output.find(fmt::format("terminated with signal {}", signal)) !=
+                std::string::npos)
+            return true;
+    for (const char* words :
+         {"Killed signal terminated program", "CPU time limit exceeded signal terminated program"})
+        if (result.output.find(words) != std::string::npos)
+            return true;
+    return false;
+}
+
+/// What is said when a sandbox or a compiler does not even start, or has nowhere to write.
+bool wasShortOfSomething(const ProcessResult& result) {
+    for (const char* words : {"Resource temporarily unavailable", "Cannot allocate memory",
+                              "No space left on device", "Input/output error"})
+        if (result.output.find(words) != std::string::npos)
+            return true;
+    return sandboxFailed(result);
 }
 
 /// What one command made of its input.
 struct Made {
     bool ok = false;
+    bool fromOutside = false;  ///< see BuildResult
     std::string log;
 };
 
@@ -58,6 +76,7 @@ public:
           limits_(limits),
           cache_(tools.cache / "objects"),
           sources_(job.work.path() / "stage"),
+          held_(job.work.path() / "held"),
           out_(job.work.path() / "out"),
           user_(job.user.id()),
           cgroup_({.memoryMib = kCompilerMemoryMib, .endTogether = false}),
@@ -80,6 +99,7 @@ public:
             note(each.get(), result);
         if (result.ok)
             note(link(files), result);
+        removeSources();
         std::stable_sort(result.diagnostics.begin(), result.diagnostics.end(),
                          [](const Diagnostic& a, const Diagnostic& b) {
                              return a.severity == "error" && b.severity != "error";
@@ -94,10 +114,27 @@ public:
 private:
     void layOut() const {
         for (const StagedFile& file : stage_.files)
-            writeFile(sources_ / file.name, file.content);
+            writeFile(folderOf(file) / file.name, file.content);
+        fs::create_directories(sources_);
+        fs::create_directories(held_);
         fs::create_directories(out_);
         shareWithSandbox(sources_, user_, false);
+        shareWithSandbox(held_, user_, false);
         shareWithSandbox(out_, user_, true);
+    }
+
+    static bool isSource(const StagedFile& file) { return file.name.ends_with(".cpp"); }
+
+    /// A solution that stands in for a file is where no compiler of the submission's files sees it.
+    const fs::path& folderOf(const StagedFile& file) const {
+        return isSource(file) && file.origin == "solutions" ? held_ : sources_;
+    }
+
+    /// What runs needs none, and must not read what stands in for a part of its own.
+    void removeSources() const {
+        for (const StagedFile& file : stage_.files)
+            if (isSource(file) || isHeader(file.name))
+                fs::remove(folderOf(file) / file.name);
     }
 
     /// The student's own files first: the linker takes the first definition it meets.
@@ -105,7 +142,7 @@ private:
         std::vector<const StagedFile*> files;
         for (const Role role : {Role::own, Role::provided, Role::inherited})
             for (const StagedFile& file : stage_.files)
-                if (file.role == role && fs::path(file.name).extension() == ".cpp")
+                if (file.role == role && isSource(file))
                     files.push_back(&file);
         return files;
     }
@@ -123,11 +160,14 @@ private:
         for (const std::string& each :
              {std::string("-include"), kit + "/prelude/prelude.h", "-I" + kit + "/include",
               std::string("-I."), "-ffile-prefix-map=" + sources_.string() + "=.",
+              "-ffile-prefix-map=" + held_.string() + "=.",
               std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
               std::string("-fmessage-length=0"), std::string("-fmax-errors=20")})
             command.push_back(each);
-        command.insert(command.end(), {"-c", file.name, "-o", (out_ / objectName(file)).string()});
-        return cached(keyOf(file), command, objectName(file));
+        const bool held = folderOf(file) == held_;
+        command.insert(command.end(), {"-c", held ? (held_ / file.name).string() : file.name, "-o",
+                                       (out_ / objectName(file)).string()});
+        return cached(keyOf(file), command, objectName(file), held);
     }
 
     Made link(const std::vector<const StagedFile*>& files) {
@@ -188,33 +228,50 @@ private:
     }
 
     Made cached(const std::string& key, const std::vector<std::string>& command,
-                const std::string& output) {
+                const std::string& output, bool seesHeld = false) {
         const fs::path made = out_ / output;
         if (const auto log = cache_.fetch(key, made))
-            return {true, *log};
+            return {true, false, *log};
         Confinement confinement;
         confinement.readable = {tools_.kit, sources_};
+        if (seesHeld)
+            confinement.readable.push_back(held_);
         confinement.writable = {out_};
         confinement.workingFolder = sources_;
         confinement.user = user_;
         confinement.cgroup = cgroup_.folder();
         confinement.limits.cpuSeconds = limits_.buildSeconds;
         confinement.limits.memoryMib = kCompilerMemoryMib;
+        const auto begun = std::chrono::steady_clock::now();
+        // Its own limit is on processor time: a crowded machine makes the clock no judge of code.
         ProcessResult result =
-            grader::run(sandbox_.confine(confinement, command), limits_.buildSeconds, kLongestLog);
-        const auto complain = [&](const std::string& about) {
+            grader::run(sandbox_.confine(confinement, command),
+                        limits_.buildSeconds * double(protocol::kMostStretch), kLongestLog);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+        if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
+            cache_.store(key, made, result.output);
+        if (result.succeeded())
+            return {true, false, result.output};
+        const std::string excess = excessOf(result, took.count());
+        if (!excess.empty())
             result.output += fmt::format("\n{}:1:1: error: the compiler {}\n",
-                                         output.substr(0, output.size() - 2), about);
-        };
+                                         output.substr(0, output.size() - 2), excess);
+        const bool fromOutside =
+            excess.empty() && (wasKilled(result) || wasShortOfSomething(result));
+        return {false, fromOutside, result.output};
+    }
+
+    /// Which limit a failing compiler met; empty for none.
+    std::string excessOf(const ProcessResult& result, double took) const {
         const bool endedByKernel =
             wasKilled(result) && judge::interventionsIn(cgroup_.folder()).memory > 0;
         if (ranOutOfMemory(result.output) || endedByKernel)
-            complain(fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib));
-        else if (result.timedOut || result.signal != 0)
-            complain(fmt::format("did not finish within {} s", limits_.buildSeconds));
-        if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
-            cache_.store(key, made, result.output);
-        return {result.succeeded(), result.output};
+            return fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib);
+        // No process uses up its seconds before they have passed.
+        constexpr double kNearly = 0.9;
+        if (result.timedOut || (wasKilled(result) && took > kNearly * limits_.buildSeconds))
+            return fmt::format("did not finish within {} s", limits_.buildSeconds);
+        return "";
     }
 
     /// A solution that stands in for a file is nobody's to read.
@@ -251,6 +308,7 @@ private:
         }
         result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
         result.ok = result.ok && made.ok;
+        result.fromOutside = result.fromOutside || made.fromOutside;
         const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {
             return each.severity == "error";
         });
@@ -264,7 +322,7 @@ private:
     const Stage& stage_;
     const AssignmentLimits& limits_;
     ObjectCache cache_;
-    fs::path sources_, out_;
+    fs::path sources_, held_, out_;
     unsigned user_;
     Cgroup cgroup_;             ///< of all compilers; the largest one ends when memory runs out
     bool includesOnlyHeaders_;  ///< of every C++ file in the stage
@@ -273,7 +331,8 @@ private:
 }  // namespace
 
 double longestBuild(const AssignmentLimits& limits) {
-    return 3.0 * limits.buildSeconds;  // all files at once, their archive, and the link
+    // All files at once, their archive, and the link.
+    return 3.0 * limits.buildSeconds * protocol::kMostStretch;
 }
 
 BuildResult Builder::build(const Stage& stage, const AssignmentLimits& limits,

@@ -8,8 +8,9 @@ namespace grader {
 
 struct BuildResult {
     bool ok = false;
+    bool fromOutside = false;  ///< not ok, and the reason may be this machine's, not the code's
     std::vector<Diagnostic> diagnostics;  ///< errors first, in the order of the compiler
-    fs::path stage;                       ///< the folder with the files
+    fs::path stage;                       ///< the folder with what the subject reads: no sources
     fs::path object;                      ///< the subject, when ok
     unsigned user = 0;                    ///< the job's: whom the subject runs as
 };

@@ -79,8 +79,8 @@ StagedFile substituteFor(const fs::path& root, const Manifest& manifest, const s
 ///
 /// A missing file is named and replaced by the starter's. An inherited file is looked up in the
 /// submission's folder for this assignment, in its folder for the named one, and replaced by
-/// substituteFor() where it is in neither. A byte-order mark and carriage returns are taken out; a file that is not UTF-8
-/// or cannot be read is reported in `unreadable`.
+/// substituteFor() where it is in neither. A byte-order mark and carriage returns are taken out; a
+/// file that is not UTF-8 or cannot be read is reported in `unreadable`.
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);
 
 }  // namespace grader

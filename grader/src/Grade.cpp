@@ -47,6 +47,17 @@ bool isGradersFault(const CheckResult& check) {
     return check.status == Status::graderError;
 }
 
+/// Whether the machine may be to blame for what became of a check.
+bool isDoubtful(const CheckResult& check) {
+    return isGradersFault(check) || judge::wasKilledFromOutside({check.status, check.message});
+}
+
+bool isDoubtful(const Grader::StageResult& graded) {
+    return graded.build.fromOutside ||
+           std::any_of(graded.checks.begin(), graded.checks.end(),
+                       [](const CheckResult& check) { return isDoubtful(check); });
+}
+
 void callTampered(CheckResult& check) {
     check.status = Status::tampered;
     check.message =
@@ -122,18 +133,26 @@ void Grader::fillIn(AssignmentResult& result, const Manifest& manifest, const St
 Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& stage,
                                        std::uint64_t seed) const {
     StageResult first = gradeOnce(manifest, stage, seed);
-    if (std::none_of(first.checks.begin(), first.checks.end(), isGradersFault))
+    if (!isDoubtful(first))
         return first;
-    // What looks like the grader's own fault was said by a process that runs the submission, and
-    // may be a lie. It is one where it is said again and the starter, which is ours, is graded in
-    // between without it. A machine that was short of something for a while costs nobody points.
+    // What looks like a fault of the grader or of the machine was said by a process that runs the
+    // submission, and may be a lie. It is the submission's where it is said again and the starter,
+    // which is ours, is graded in between without it. A machine that was short of something for a
+    // while costs nobody points.
     const StageResult honest = gradeOnce(manifest, stageOf(manifest, "assignments"), seed);
     StageResult again = gradeOnce(manifest, stage, seed);
+    if (again.build.fromOutside && honest.build.fromOutside)
+        throw Error("nothing can be compiled on this machine: {}",
+                    again.build.diagnostics.front().message);
+    if (first.build.fromOutside || again.build.fromOutside)
+        return again.build.fromOutside && first.build.ok ? first : again;
     for (std::size_t i = 0; i < again.checks.size(); ++i) {
         CheckResult& check = again.checks[i];
-        const bool said = isGradersFault(first.checks.at(i)) && isGradersFault(check);
+        const CheckResult& before = first.checks.at(i);
         const bool submissionHadRun = check.kind != "frame" || again.couldDraw;
-        if (said && submissionHadRun && !isGradersFault(honest.checks.at(i)))
+        if (isDoubtful(check) && !isDoubtful(before))
+            check = before;
+        else if (isGradersFault(check) && submissionHadRun && !isGradersFault(honest.checks.at(i)))
             callTampered(check);
     }
     return again;

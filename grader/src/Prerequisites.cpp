@@ -148,6 +148,10 @@ private:
             for (CheckResult& other : again.checks) {
                 if (!lost.contains(check.task) || other.id != check.id)
                     continue;
+                if (other.status == Status::graderError) {
+                    check = std::move(other);  // nobody knows what it would have earned
+                    break;
+                }
                 // What a mistake is recognised by must not be blurred by one in what it needs.
                 check.evidence = other.evidence;
                 if (other.points > check.points || (other.full() && !check.full())) {

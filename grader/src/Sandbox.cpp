@@ -184,6 +184,10 @@ int memoryForOwn([[maybe_unused]] int mib) {
 #endif
 }
 
+bool sandboxFailed(const ProcessResult& result) {
+    return result.output.starts_with("bwrap: ") || result.output.starts_with("confine: ");
+}
+
 bool runsInCi() {
     const char* value = std::getenv("CI");
     return value && *value && std::string(value) != "false";

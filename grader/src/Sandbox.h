@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Files.h"
+#include "Process.h"
 
 namespace grader {
 
@@ -68,6 +69,9 @@ struct SandboxWish {
 /// Bubblewrap where it works, else a plain process. Throws Error where strangers' code would run as
 /// the grader's own user, unless none was wished for.
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish = {});
+
+/// Whether it was not the command that failed, but what was to confine it, before it began.
+bool sandboxFailed(const ProcessResult& result);
 
 /// Whether a CI system runs this: it sets CI, to anything but "false".
 bool runsInCi();

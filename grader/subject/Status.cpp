@@ -26,6 +26,8 @@ constexpr std::pair<Status, const char*> kWords[] = {
     {Status::graderError, "grader_error"},
 };
 
+constexpr const char* kKilled = "SIGKILL (stopped from outside, most likely for its memory)";
+
 std::string signalName(int signal) {
     switch (signal) {
         case SIGSEGV:
@@ -39,7 +41,7 @@ std::string signalName(int signal) {
         case SIGABRT:
             return "SIGABRT (abort or a failed assert)";
         case SIGKILL:
-            return "SIGKILL (stopped from outside, most likely for its memory)";
+            return kKilled;
         default:
             return fmt::format("signal {}", signal);
     }
@@ -70,6 +72,10 @@ Status statusFromString(const std::string& word) {
         if (word == each)
             return status;
     throw std::invalid_argument("no status is called " + word);
+}
+
+bool wasKilledFromOutside(const Verdict& verdict) {
+    return verdict.status == Status::crash && verdict.message.ends_with(kKilled);
 }
 
 Verdict explain(const std::string& what, const protocol::Request& request,

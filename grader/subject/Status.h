@@ -33,6 +33,10 @@ struct Verdict {
     std::string message;  ///< one sentence for the student
 };
 
+/// Whether a verdict says that the process was killed, and not by one of its limits: it may have
+/// been in the way of others when the machine ran out of memory, or have done it itself.
+bool wasKilledFromOutside(const Verdict& verdict);
+
 /// What an answer other than `ok` means for the check that asked. `what` names the function or
 /// frame as the student knows it.
 Verdict explain(const std::string& what, const protocol::Request& request,

@@ -50,24 +50,16 @@ Mark markOf(int k, const fs::path& out) {
     if (k % 10 == 3)
         mark.lateness = {true, 2, 0, "2 days late"};
     mark.submission = mark.student.id;
-    Json frames = Json::array();
+    Essence essence;
     for (const char* frame : {"orbit", "turned"}) {
         const std::string path = fmt::format("07-camera/{}.submission.png", frame);
         writePicture(out / "students" / mark.submission / "report" / path,
                      greyOf(static_cast<std::uint8_t>(k % 256)));
-        frames.push_back({{"id", frame},
-                          {"title", "a frame"},
-                          {"status", up < 40 ? "fail" : "pass"},
-                          {"points", up},
-                          {"max_points", 40},
-                          {"message", ""},
-                          {"images", {{"submission", path}}}});
+        essence.checks.push_back({frame, "a frame", up < 40 ? "fail" : "pass", up, 40, "", path});
     }
     writeFile(out / "students" / mark.submission / "report/index.html", "<!doctype html>report");
-    mark.result = {{"tasks",
-                    {{{"id", "rotate-up"},
-                      {"checks", frames},
-                      {"recognised", {{"says", k % 3 ? "You turn the target." : "You tilt."}}}}}}};
+    essence.tasks = {{"rotate-up", up, k % 3 ? "You turn the target." : "You tilt."}};
+    mark.result = std::make_shared<Essence>(std::move(essence));
     return mark;
 }
 

@@ -56,6 +56,12 @@ step "a copy for a course under way"
     fail "the copy up to 08 has $(find part/assignments part/solutions -maxdepth 2)"
 [[ ! -e part/reference_images/09-scene-graph ]] || fail "the copy up to 08 has pictures of 09"
 
+step "a solution that is given away keeps the tasks of later assignments to itself"
+"$grader" package-students --from course --upto 08-perspective --with-solutions 07-camera given
+camera=given/solutions/07-camera/Camera.cpp
+grep -q 'cg::todo.*"perspective"' "$camera" || fail "$(cat $camera)"
+[[ $(grep -c 'cg::todo' "$camera") == 1 ]] || fail "$(cat $camera)"
+
 step "a solution that got into a page is found"
 cp course/solutions/07-camera/Camera.cpp course/docs/first-hour.md
 git -C course commit -qam "a slip"
@@ -72,7 +78,8 @@ git init -q --bare -b main hub.git
 git clone -q hub.git base
 (cd base && ./grade --yes > ../starters.log 2>&1 && code=0 || code=$?
     [[ $code == 1 ]]) || fail "$(cat starters.log)"
-grep -q '^all assignments  *0 / 600$' starters.log || fail "$(cat starters.log)"
+points=$((100 * $(find course/assignments -name assignment.json | wc -l)))
+grep -q "^all assignments  *0 / $points\$" starters.log || fail "$(cat starters.log)"
 
 step "solutions earn everything"
 cp -r base/assignments solved
@@ -83,7 +90,7 @@ for folder in course/solutions/*/; do
     done < <(perl -MJSON::PP -0777 -ne 'print "$_\n" for @{decode_json($_)->{submit}}' "solved/$id/assignment.json")
 done
 (cd base && ./grade --submission ../solved) > solved.log 2>&1 || fail "$(cat solved.log)"
-grep -q '^all assignments  *600 / 600$' solved.log || fail "$(cat solved.log)"
+grep -q "^all assignments  *$points / $points\$" solved.log || fail "$(cat solved.log)"
 
 step "a pull request is graded by the copy's own scripts"
 git clone -q hub.git student

@@ -6,6 +6,7 @@
 #include "Error.h"
 #include "ResultDocument.h"
 #include "TimeBox.h"
+#include "batch/Marks.h"
 #include "batch/Remark.h"
 #include "batch/Replay.h"
 #include "report/HtmlReport.h"
@@ -60,28 +61,6 @@ std::map<std::string, fs::path> filesIn(const Submission& submission, const Mani
                           ? folder / name
                           : submission.folderFor(from, manifest.id) / name;
     return files;
-}
-
-/// What marks and overview need of a document: the rest of thousands would fill the memory.
-Json essenceOf(const Json& document) {
-    Json tasks = Json::array();
-    for (const Json& task : document.at("tasks")) {
-        Json checks = Json::array();
-        for (const Json& check : task.at("checks")) {
-            Json& kept = checks.emplace_back();
-            for (const char* name : {"id", "title", "status", "points", "max_points"})
-                kept[name] = check.at(name);
-            if (check.at("status") == "tampered")
-                kept["message"] = check.at("message");
-            if (check.contains("images"))
-                kept["images"]["submission"] = check.at("images").at("submission");
-        }
-        Json& kept = tasks.emplace_back();
-        kept = {{"id", task.at("id")}, {"points", task.at("points")}, {"checks", checks}};
-        if (task.contains("recognised"))
-            kept["recognised"]["says"] = task.at("recognised").at("says");
-    }
-    return {{"tasks", std::move(tasks)}};
 }
 
 Standing standingFrom(const std::string& entrant, const Json& document) {

@@ -122,17 +122,9 @@ protected:
         alpha.maxPoints = 100;
         alpha.lateness = {true, 2, 10, "2 days late"};
         alpha.warnings = {"rotation: look again"};
-        alpha.result =
-            Json{{"tasks",
-                  {{{"id", "rotation"},
-                    {"recognised", {{"says", "You turn clockwise."}}},
-                    {"checks",
-                     {{{"id", "turned"},
-                       {"title", "Turned <cube>"},
-                       {"status", "fail"},
-                       {"points", 0},
-                       {"max_points", 5},
-                       {"images", {{"submission", "06-rotation/turned.submission.png"}}}}}}}}}};
+        alpha.result = std::make_shared<Essence>(Essence{
+            {{"rotation", 20, "You turn clockwise."}},
+            {{"turned", "Turned <cube>", "fail", 0, 5, "", "06-rotation/turned.submission.png"}}});
         marks_[1].student.id = "beta";
         marks_[1].status = "refused";
         marks_[1].sentence = "the archive is refused: it is encrypted";

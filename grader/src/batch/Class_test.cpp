@@ -123,8 +123,10 @@ TEST(Export, OfMoodle) {
     tree.write("Jo Roe_222_assignsubmission_file_/work.zip", "");
     tree.write("Jo Roe_222_assignsubmission_onlinetext_/onlinetext.html", "");
     tree.write("Ann Li_333_assignsubmission_file_Camera.cpp", "");
+    tree.write("Eve_444_assignsubmission_file_x_222_assignsubmission_file_Camera.cpp", "");
     const Intake intake = takenIn(tree);
-    ASSERT_EQ(intake.entrants.size(), 3u);
+    ASSERT_EQ(intake.entrants.size(), 4u);
+    EXPECT_EQ(called(intake, "Eve_444").owners.at(0).id, "444") << "a file's name is no owner";
     EXPECT_EQ(called(intake, "Jane Doe_1234567").owners.at(0).name, "Jane Doe");
     EXPECT_EQ(called(intake, "Jo Roe_222").kind, EntrantKind::archive);
     EXPECT_EQ(called(intake, "Ann Li_333").files.at(0).name, "Camera.cpp");
@@ -283,6 +285,14 @@ TEST_F(ClassTest, DaysThatHaveBegunAreCharged) {
     EXPECT_FALSE(latenessAt("2026-11-03T12:00:00Z", extended[0]).late);
     EXPECT_EQ(latenessAt("2026-11-01T12:00:00Z", extended[1]).days, 1);
     EXPECT_FALSE(latenessAt("2026-11-30T12:00:00Z", extended[2]).late);
+    tree_.write("p.json", R"({"format": 1, "due": "2026-11-02T00:00Z",
+        "late": {"free_days": 0.5, "percent_per_day": 20}})");
+    const Policy grace = Policy::load(tree_ / "p.json");
+    const auto percentAt = [&](const std::string& time) {
+        return latenessOf({}, entrant("x", {}, time), grace).percent;
+    };
+    EXPECT_EQ(percentAt("2026-11-02T12:00:00Z"), 0) << "half a day's grace";
+    EXPECT_EQ(percentAt("2026-11-02T12:00:01Z"), 20);
     Entrant canvas = entrant("x");
     canvas.late = true;
     const Lateness unknown = latenessOf({}, canvas, policy);
@@ -306,16 +316,15 @@ protected:
     MarksTest() { intake_.entrants = {entrant("ann", {}, "2026-11-03T12:00Z"), entrant("bob")}; }
 
     static Standing graded(const std::string& name, double view, double up) {
-        return {name,
-                "graded",
-                "",
-                view + up,
-                100,
-                Json{{"tasks",
-                      {{{"id", "view-matrix"}, {"points", view}},
-                       {{"id", "rotate-up"}, {"points", up}}}}},
-                "",
-                false};
+        return {
+            name,
+            "graded",
+            "",
+            view + up,
+            100,
+            std::make_shared<Essence>(Essence{{{"view-matrix", view, ""}, {"rotate-up", up, ""}}, {}}),
+            "",
+            false};
     }
     std::vector<Mark> marks(const std::string& decisions = "", double view = 20) {
         Overrides overrides;
@@ -328,17 +337,28 @@ protected:
         policy.percentPerDay = 10;
         const auto students = roster("ann,,,,,\nbob,,,,,\ncy,,,,,\n");
         const ClassList list = whoIsWho(intake_, &students);
-        auto all = marksOf(someManifest(), list,
-                           {{"ann", graded("ann", view, 60)},
-                            {"bob", {"bob", fault_, "it is encrypted", 0, 0, Json(), "", false}}},
-                           AttemptRule::last, policy, overrides);
+        auto all =
+            marksOf(someManifest(), list,
+                    {{"ann", graded("ann", view, 60)},
+                     {"bob", {"bob", fault_, "it is encrypted", 0, 0, nullptr, "", false}},
+                     {"ann2", {"ann2", "grader_error", "no disk", 0, 0, nullptr, "", false}}},
+                    rule_, policy, overrides);
         overrides.remember();
         return all;
     }
 
     Intake intake_;
     std::string fault_ = "refused";  ///< what became of bob
+    AttemptRule rule_ = AttemptRule::last;
 };
+
+TEST_F(MarksTest, TheBestOfAttemptsIsNotKnownWhereTheGraderFailedAtOne) {
+    intake_.entrants.push_back(entrant("ann2", {{"ann", "", ""}}, "2026-11-01T00:00:00Z"));
+    rule_ = AttemptRule::best;
+    const auto all = marks();
+    EXPECT_EQ(all[0].status, "grader_error");
+    EXPECT_EQ(all[0].sentence, "no disk");
+}
 
 TEST_F(MarksTest, LatenessIsTakenFromWhatWasEarned) {
     const auto all = marks();

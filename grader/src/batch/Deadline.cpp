@@ -57,7 +57,7 @@ Lateness latenessOf(const Student& student, const Entrant& entrant, const Policy
     lateness.late = true;
     const double late = static_cast<double>((*entrant.submitted - *due).count());
     lateness.days = static_cast<int>(std::ceil(late / kDay));
-    lateness.percent = std::clamp(std::ceil(lateness.days - policy.freeDays) * policy.percentPerDay,
+    lateness.percent = std::clamp(std::ceil(late / kDay - policy.freeDays) * policy.percentPerDay,
                                   0.0, policy.capPercent);
     lateness.says = fmt::format(
         "{} {} late (due {}, handed in {}){}", lateness.days, lateness.days == 1 ? "day" : "days",

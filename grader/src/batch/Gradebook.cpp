@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <regex>
 
 #include "Error.h"
@@ -15,10 +16,16 @@ std::string shown(double points) {
     return fmt::format("{:.2f}", points);
 }
 
-double numberIn(const std::string& text) {
+/// How many points a platform counts; 0 where it does not say. Some write a decimal comma.
+double pointsIn(std::string text, const std::string& where) {
+    if (text.empty() || text == "-")
+        return 0;
+    std::replace(text.begin(), text.end(), ',', '.');
     double value = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return failed == std::errc() && end == text.data() + text.size() ? value : 0;
+    if (failed != std::errc() || end != text.data() + text.size())
+        throw Error("{}: expected a number of points, found \"{}\"", where, text);
+    return value;
 }
 
 /// A mark as the platform counts it; says once where that is another number of points than ours.
@@ -59,6 +66,30 @@ std::string nameOf(const Line& line) {
     return line.name.empty() ? line.id : line.name + " (" + line.id + ")";
 }
 
+/// The row of each line, by `find`; none for lines that are nowhere, nor for those that share one:
+/// nobody knows whose it is.
+template <class Find>
+std::vector<std::optional<std::size_t>> rowsOf(const std::vector<Line>& lines, const char* nowhere,
+                                               std::vector<std::string>& remarks, Find find) {
+    std::vector<std::optional<std::size_t>> rows;
+    std::map<std::size_t, std::size_t> claims;
+    for (const Line& line : lines) {
+        rows.push_back(find(line));
+        if (rows.back())
+            ++claims[*rows.back()];
+        else
+            remarks.push_back(nameOf(line) + nowhere);
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (rows[i] && claims[*rows[i]] > 1) {
+            remarks.push_back(
+                fmt::format("{} fits row {}, and so does another: it is left as it is",
+                            nameOf(lines[i]), *rows[i] + 2));
+            rows[i].reset();
+        }
+    return rows;
+}
+
 std::size_t columnLike(const CsvTable& table, const std::string& name) {
     if (const auto exact = table.column(name))
         return *exact;
@@ -82,18 +113,16 @@ Filled fillCanvas(CsvTable table, const std::string& name, const std::vector<Lin
     double possible = 0;
     for (std::size_t row = 0; row < table.rows(); ++row)
         if (table.cell(row, "Student") == "Points Possible")
-            possible = numberIn(table.cell(row, column));
+            possible = pointsIn(table.cell(row, column), "Points Possible");
     Scale scale{"Canvas", filled.remarks};
-    for (const Line& line : lines) {
-        const auto row =
-            rowWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {line.id, line.email});
-        if (!row) {
-            filled.remarks.push_back(nameOf(line) + " is not in the gradebook");
-            continue;
+    const auto rows = rowsOf(lines, " is not in the gradebook", filled.remarks, [&](const Line& l) {
+        return rowWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {l.id, l.email});
+    });
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (rows[i]) {
+            table.set(*rows[i], column, scale(lines[i], possible));
+            ++filled.marks;
         }
-        table.set(*row, column, scale(line, possible));
-        ++filled.marks;
-    }
     filled.text = table.text();
     return filled;
 }
@@ -104,23 +133,24 @@ Filled fillMoodle(CsvTable table, const std::vector<Line>& lines) {
     const auto feedback = table.column("Feedback comments");
     Filled filled;
     Scale scale{"Moodle", filled.remarks};
-    for (const Line& line : lines) {
-        auto row = rowWith(table, {"Identifier", "Email address", "ID number"},
-                           {"Participant " + line.id, line.id, line.email});
-        if (!row)
-            row = rowWith(table, {"Full name"}, {line.name});
-        if (!row) {
-            filled.remarks.push_back(nameOf(line) + " is not in the worksheet");
+    const auto rows = rowsOf(lines, " is not in the worksheet", filled.remarks, [&](const Line& l) {
+        const auto row = rowWith(table, {"Identifier", "Email address", "ID number"},
+                                 {"Participant " + l.id, l.id, l.email});
+        return row ? row : rowWith(table, {"Full name"}, {l.name});
+    });
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!rows[i])
             continue;
-        }
-        if (lowered(table.cell(*row, "Grade can be changed")) == "no") {
-            filled.remarks.push_back(nameOf(line) +
+        const std::size_t row = *rows[i];
+        if (lowered(table.cell(row, "Grade can be changed")) == "no") {
+            filled.remarks.push_back(nameOf(lines[i]) +
                                      ": Moodle says that the grade cannot be changed");
             continue;
         }
-        table.set(*row, grade, scale(line, numberIn(table.cell(*row, "Maximum Grade"))));
+        table.set(row, grade,
+                  scale(lines[i], pointsIn(table.cell(row, "Maximum Grade"), "Maximum Grade")));
         if (feedback)
-            table.set(*row, *feedback, line.feedback);
+            table.set(row, *feedback, lines[i].feedback);
         ++filled.marks;
     }
     filled.text = table.text();

@@ -43,6 +43,24 @@ TEST(FillCanvas, ScalesToThePointsThatCanvasCountsAndSaysSo) {
                                             "Canvas counts"));
 }
 
+TEST(FillCanvas, PointsWithADecimalCommaAreReadAndOthersRefused) {
+    std::string text = kCanvas;
+    text.replace(text.find("100.00"), 6, "\"20,00\"");
+    EXPECT_THAT(fillCanvas(CsvTable::parse(text, "g.csv"), "07-camera", {kLines[0]}).text,
+                HasSubstr("\"A, 1\",17.50,"));
+    text.replace(text.find("\"20,00\""), 7, "twenty");
+    EXPECT_THROW(fillCanvas(CsvTable::parse(text, "g.csv"), "07-camera", kLines), Error);
+}
+
+TEST(FillCanvas, ARowThatTwoFitIsLeftAsItIs) {
+    const std::vector<Line> two = {{"222", "X", "", 10, 100, ""}, {"u2", "Y", "", 90, 100, ""}};
+    const Filled filled = fillCanvas(CsvTable::parse(kCanvas, "g.csv"), "07-camera", two);
+    EXPECT_EQ(filled.text, kCanvas);
+    EXPECT_EQ(filled.marks, 0u);
+    EXPECT_THAT(filled.remarks,
+                ElementsAre(HasSubstr("X (222) fits row"), HasSubstr("Y (u2) fits")));
+}
+
 TEST(FillCanvas, AColumnThatIsNotClearIsRefused) {
     try {
         fillCanvas(CsvTable::parse(kCanvas, "g.csv"), "e", kLines);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Archive.h"
 #include "BuildId.h"
 #include "Error.h"
 #include "Fields.h"
@@ -125,17 +126,24 @@ std::string namesIn(const fs::path& folder) {
     return fmt::format("{}\n", fmt::join(names, "\n"));
 }
 
+/// What is larger than may be taken is told by its size alone.
+std::string hashUpTo(std::uintmax_t most, const fs::path& file) {
+    std::error_code none;
+    const auto size = fs::file_size(file, none);
+    return !none && size > most ? fmt::format("{} bytes", size) : sha256(readFile(file));
+}
+
 std::string textOf(const fs::path& root, const Manifest& manifest, const Entrant& entrant,
                    const std::vector<std::string>& known) {
     switch (entrant.kind) {
         case EntrantKind::archive:
-            return "archive\n" + sha256(readFile(entrant.path));
+            return "archive\n" + hashUpTo(kLargestArchive, entrant.path);
         case EntrantKind::clone:
             return "clone\n" + hashOfReferences(entrant.path);
         case EntrantKind::looseFiles: {
             std::string text;
             for (const LooseFile& each : entrant.files)
-                text += each.name + " " + sha256(readFile(each.path)) + "\n";
+                text += each.name + " " + hashUpTo(kLargestFile, each.path) + "\n";
             return text;
         }
         case EntrantKind::folder:

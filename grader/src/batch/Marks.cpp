@@ -26,13 +26,14 @@ Mark markFrom(const Manifest& manifest, const Participant& participant, const St
         mark.result = standing->result;
         if (!standing->unstable.empty())
             mark.warnings.push_back(standing->unstable);
-        if (standing->result.contains("tasks"))
-            for (const Json& task : standing->result.at("tasks"))
-                points[task.at("id")] = task.at("points");
+        if (standing->result)
+            for (const Essence::Task& task : standing->result->tasks)
+                points[task.id] = task.points;
     }
+    const bool judged = mark.status == "graded" || mark.status == "build_error";
     for (const Task& task : manifest.tasks) {
-        mark.tasks.push_back({task.id, points[task.id], points[task.id], task.points,
-                              task.manual && mark.status == "graded", ""});
+        mark.tasks.push_back(
+            {task.id, points[task.id], points[task.id], task.points, task.manual && judged, ""});
         mark.automatic += points[task.id];
         mark.maxPoints += task.points;
     }
@@ -164,8 +165,9 @@ std::vector<Mark> marksOf(const Manifest& manifest, const ClassList& list,
             Mark mark = markFrom(manifest, participant, &standing->second);
             decide(mark, overrides);
             charge(mark, entrant, policy);
-            // The later one, where two earn alike.
-            if (!best || mark.points >= best->points)
+            // The later one, where two earn alike. What the grader failed at might be the best.
+            const auto failed = [](const Mark& each) { return each.status == "grader_error"; };
+            if (!best || failed(mark) || (!failed(*best) && mark.points >= best->points))
                 best = std::move(mark);
         }
         if (!all)

@@ -25,8 +25,8 @@ struct Mark {
     double automatic = 0;  ///< points, before what people decided and what being late costs
     double points = 0, maxPoints = 0;
     Lateness lateness;
-    std::vector<std::string> warnings;  ///< for the instructor
-    Json result;                        ///< see Standing; or the whole document
+    std::vector<std::string> warnings;      ///< for the instructor
+    std::shared_ptr<const Essence> result;  ///< see Standing
 
     bool graderFailed() const { return status == "grader_error"; }
     /// The sentences that a student gets beside the report: late, decided by a person.

@@ -89,7 +89,7 @@ private:
         if (!mark.submission.empty()) {
             merged_.parts[mark.submission] = part;
             if (fs::exists(result))
-                mark.result = parseJsonFile(result.string());
+                mark.result = essenceOf(parseJsonFile(result.string()));
         }
         marks_[mark.student.id] = std::move(mark);
     }

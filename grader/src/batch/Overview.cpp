@@ -51,15 +51,9 @@ std::vector<Likeness> likenessesAmong(const Ledger& ledger, const std::vector<Ma
     std::vector<Print> all;
     for (auto& [name, print] : prints)
         all.push_back(std::move(print));
-    // Earlier ones come last, so that each pair with one of today's begins with that.
-    std::set<std::string> known;
-    for (const Print& each : earlier) {
-        all.push_back(each);
-        known.insert(each.name);
-    }
-    std::vector<Likeness> found = nearlyIdentical(all);
-    std::erase_if(found, [&](const Likeness& each) { return known.contains(each.first); });
-    return found;
+    const std::size_t ours = all.size();
+    all.insert(all.end(), earlier.begin(), earlier.end());
+    return nearlyIdentical(all, ours);
 }
 
 void writeOverview(const Overview& overview, const fs::path& out) {

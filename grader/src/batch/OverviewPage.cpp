@@ -26,10 +26,6 @@ std::string linkTo(const std::string& path) {
     return link;
 }
 
-bool isGraded(const Mark& mark) {
-    return mark.result.contains("tasks");
-}
-
 /// "Ada Lovelace (12345)", or the id alone.
 std::string nameOf(const Mark& mark) {
     return escaped(mark.student.name.empty() ? mark.student.id
@@ -40,20 +36,18 @@ std::string nameOf(const Mark& mark) {
 template <class Take>
 void forEachCheck(const std::vector<Mark>& marks, Take&& take) {
     for (const Mark& mark : marks)
-        if (isGraded(mark))
-            for (const Json& task : mark.result.at("tasks"))
-                for (const Json& check : task.at("checks"))
-                    take(mark, check);
+        if (mark.result)
+            for (const Essence::Check& check : mark.result->checks)
+                take(mark, check);
 }
 
 /// What a submission did that no honest mistake does; empty when nothing.
 std::string tampering(const Mark& mark) {
-    std::string message;
-    forEachCheck({mark}, [&](const Mark&, const Json& check) {
-        if (message.empty() && check.at("status") == "tampered")
-            message = check.at("message").get<std::string>();
-    });
-    return message;
+    if (mark.result)
+        for (const Essence::Check& check : mark.result->checks)
+            if (!check.message.empty())
+                return check.message;
+    return "";
 }
 
 class Page {
@@ -157,24 +151,22 @@ private:
         for (const char* whose : {"instructor", "students"}) {
             const std::string page =
                 std::string(whose) + "/" + mark.submission + "/report/index.html";
-            if (isGraded(mark) && fs::exists(out_ / page))
+            if (mark.result && fs::exists(out_ / page))
                 return "<a href=\"" + linkTo(page) + "\">" + text + "</a>";
         }
         return text;
     }
 
-    static std::string pictureOfCheck(const Mark& mark, const Json& check) {
-        if (!check.contains("images"))
-            return "";
-        return "students/" + mark.submission + "/report/" +
-               check.at("images").at("submission").get<std::string>();
+    static std::string pictureOfCheck(const Mark& mark, const Essence::Check& check) {
+        return check.picture.empty() ? ""
+                                     : "students/" + mark.submission + "/report/" + check.picture;
     }
 
     std::string thumbnail(const Mark& mark) const {
-        if (!isGraded(mark))
+        if (!mark.result)
             return "";
         std::string picture;
-        forEachCheck({mark}, [&](const Mark&, const Json& check) {
+        forEachCheck({mark}, [&](const Mark&, const Essence::Check& check) {
             if (picture.empty())
                 picture = pictureOfCheck(mark, check);
         });
@@ -210,7 +202,7 @@ private:
         std::vector<double> totals;
         std::map<std::string, std::vector<double>> tasks;
         for (const Mark& mark : marks_) {
-            if (!isGraded(mark))
+            if (!mark.result)
                 continue;
             totals.push_back(mark.points / std::max(1.0, mark.maxPoints));
             for (const TaskMark& task : mark.tasks)
@@ -224,8 +216,8 @@ private:
 
     /// Lines "31 of 180 …" with a bar, the most frequent first.
     std::string ranking(const std::map<std::string, std::size_t>& counts) const {
-        const auto graded =
-            static_cast<std::size_t>(std::count_if(marks_.begin(), marks_.end(), isGraded));
+        const auto graded = static_cast<std::size_t>(std::count_if(
+            marks_.begin(), marks_.end(), [](const Mark& each) { return each.result != nullptr; }));
         std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
         std::stable_sort(sorted.begin(), sorted.end(),
                          [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -245,10 +237,9 @@ private:
     std::string lostChecks() const {
         // What did not build lost all of them, which says nothing of any.
         std::map<std::string, std::size_t> lost;
-        forEachCheck(marks_, [&](const Mark& mark, const Json& check) {
-            if (mark.status == "graded" && check.at("status") != "pass")
-                ++lost[check.at("id").get<std::string>() + ": " +
-                       check.at("title").get<std::string>()];
+        forEachCheck(marks_, [&](const Mark& mark, const Essence::Check& check) {
+            if (mark.status == "graded" && check.status != "pass")
+                ++lost[check.id + ": " + check.title];
         });
         return "<h2 id=checks>Checks that most lost</h2>\n" + ranking(lost);
     }
@@ -256,11 +247,10 @@ private:
     std::string mistakes() const {
         std::map<std::string, std::size_t> counts;
         for (const Mark& mark : marks_)
-            if (isGraded(mark))
-                for (const Json& task : mark.result.at("tasks"))
-                    if (task.contains("recognised"))
-                        ++counts[task.at("id").get<std::string>() + ": " +
-                                 task.at("recognised").at("says").get<std::string>()];
+            if (mark.result)
+                for (const Essence::Task& task : mark.result->tasks)
+                    if (!task.recognised.empty())
+                        ++counts[task.id + ": " + task.recognised];
         return "<h2 id=mistakes>Mistakes, by frequency</h2>\n" + ranking(counts);
     }
 
@@ -280,14 +270,13 @@ private:
         if (all_.manifest.frames.empty())
             return "";
         std::map<std::string, std::string> figures;
-        forEachCheck(marks_, [&](const Mark& mark, const Json& check) {
+        forEachCheck(marks_, [&](const Mark& mark, const Essence::Check& check) {
             if (const std::string picture = pictureOfCheck(mark, check); !picture.empty())
-                figures[check.at("id")] += fmt::format(
+                figures[check.id] += fmt::format(
                     "<figure data-student=\"{}\"><a href=\"{}\"><img loading=lazy src=\"{}\" "
                     "alt=\"picture of {}\"></a><figcaption>{} {}</figcaption></figure>\n",
                     escaped(mark.student.id), linkTo(picture), linkTo(picture), nameOf(mark),
-                    linked(mark, nameOf(mark)),
-                    scoreText(check.at("points"), check.at("max_points")));
+                    linked(mark, nameOf(mark)), scoreText(check.points, check.maxPoints));
         });
         std::string options, galleries;
         for (const Frame& frame : all_.manifest.frames) {

@@ -170,7 +170,7 @@ Intake takeInGradescope(const fs::path& submissions,
 std::optional<Intake> takeInExport(const fs::path& submissions, const Manifest& manifest,
                                    const std::vector<std::string>& known) {
     static const std::regex kCanvas(R"(([^_]+)_(LATE_)?(\d{1,18})_(\d{1,18})_(.+))");
-    static const std::regex kMoodle(R"((.+)_(\d+)_assignsubmission_(file|onlinetext)_?(.*))");
+    static const std::regex kMoodle(R"((.+?)_(\d+)_assignsubmission_(file|onlinetext)_?(.*))");
     const auto entries = visibleEntries(submissions);
     if (fs::is_regular_file(fs::symlink_status(submissions / kGradescopeMetadata)))
         return takeInGradescope(submissions, entries, manifest, known);

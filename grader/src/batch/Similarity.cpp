@@ -72,7 +72,7 @@ Fingerprints fingerprintsOf(const std::string& text) {
     return kept;
 }
 
-std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints) {
+std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints, std::size_t many) {
     const std::size_t most = std::max<std::size_t>(5, prints.size() / 10);
     std::vector<std::size_t> counted(prints.size());
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared;
@@ -81,7 +81,7 @@ std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints) {
             continue;
         for (std::size_t i = 0; i < owners.size(); ++i) {
             ++counted[owners[i]];
-            for (std::size_t k = i + 1; k < owners.size(); ++k)
+            for (std::size_t k = i + 1; owners[i] < many && k < owners.size(); ++k)
                 ++shared[{owners[i], owners[k]}];
         }
     }
@@ -97,7 +97,7 @@ std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints) {
         if (prints[i].own.size() >= kFewestFingerprints)
             byText[prints[i].exact].push_back(i);
     for (const auto& [text, same] : byText)
-        for (std::size_t i = 1; i < same.size(); ++i)
+        for (std::size_t i = 1; same[0] < many && i < same.size(); ++i)
             found[{same[0], same[i]}] = {prints[same[0]].name, prints[same[i]].name, 1, true};
     std::vector<Likeness> all;
     for (const auto& [pair, each] : found)

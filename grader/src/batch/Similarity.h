@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct Likeness {
 
 /// Pairs that are nearly identical, the most alike first. What many share is how the thing is
 /// written, and not counted: fingerprints that more than a tenth of all have (and more than five).
-std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints);
+/// In each pair is one of the first `many`.
+std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints,
+                                      std::size_t many = std::numeric_limits<std::size_t>::max());
 
 }  // namespace grader

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "Fields.h"
+#include "batch/Essence.h"
 
 namespace grader {
 
@@ -12,9 +13,8 @@ struct Standing {
     std::string status;    ///< of the result document, or "refused", or "grader_error"
     std::string sentence;  ///< why it was refused, or what the grader's fault was
     double points = 0, maxPoints = 0;
-    Json result;              ///< of the result document what marks and overview need; null where
-                              ///< there is none
-    std::string unstable;     ///< how repeated gradings differ; empty when they agree
+    std::shared_ptr<const Essence> result;  ///< null where there is none
+    std::string unstable;                   ///< how repeated gradings differ; empty when they agree
     bool fromBefore = false;  ///< nothing that decides it has changed: not graded again
     bool graderFailed() const { return status == "grader_error"; }
 };

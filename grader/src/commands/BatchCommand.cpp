@@ -73,7 +73,7 @@ std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::
     }
     std::uint64_t seed = kPublishedSeed;
     if (options.seed || kept)
-        seed = options.seed.value_or(*kept);
+        seed = options.seed ? *options.seed : *kept;
     else if (canDrawReferences(tools.root, options.assignment))
         seed = std::random_device()();
     writeFile(

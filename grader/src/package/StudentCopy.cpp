@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "Error.h"
 #include "Manifest.h"
+#include "Regions.h"
 #include "package/Leaks.h"
 
 namespace grader {
@@ -110,18 +112,58 @@ void cutLinks(CourseFiles& copy, const CourseFiles& all) {
     }
 }
 
+/// A region as a file has it, fences included.
+std::string fenced(const std::string& id, const std::string& text) {
+    return fmt::format("// BEGIN TODO({})\n{}// END TODO({})\n", id, text, id);
+}
+
+/// Solutions that are given away, by path. A region in them that is a task of an assignment whose
+/// solution is not given (08's perspective is solved in 07's Camera.cpp) is as the starter has it
+/// in `shown`, and alone in `held`.
+struct GivenSolutions {
+    CourseFiles shown, held;
+};
+
+GivenSolutions givenSolutions(const CourseFiles& all, const fs::path& root,
+                              const StudentCopyWish& wish) {
+    std::set<std::string> tasks;
+    for (const std::string& id : wish.withSolutions)
+        for (const Task& task : loadAssignment(root, id).tasks)
+            tasks.insert(task.id);
+    GivenSolutions given;
+    for (const std::string& id : wish.withSolutions)
+        for (const std::string& name : loadAssignment(root, id).submit) {
+            const std::string path = "solutions/" + id + "/" + name;
+            const auto solved = all.files.find(path);
+            if (solved == all.files.end())
+                throw Error("--with-solutions {}: git keeps no {}", id, path);
+            CourseFile shown = solved->second;
+            const auto starter = regionsOf(all.files.at("assignments/" + id + "/" + name).content);
+            for (const auto& [region, text] : regionsOf(solved->second.content))
+                if (!tasks.contains(region)) {
+                    shown.content = *withRegion(shown.content, region, starter.at(region));
+                    given.held.files[path].content += fenced(region, text);
+                }
+            given.shown.files[path] = std::move(shown);
+        }
+    return given;
+}
+
 void refuseLeaks(const CourseFiles& copy, const CourseFiles& all,
-                 const std::vector<std::string>& known, const StudentCopyWish& wish) {
-    std::vector<std::string> open = {"common/"};
-    CourseFiles secret = partOf(all, {"solutions/"});
+                 const std::vector<std::string>& known, const StudentCopyWish& wish,
+                 const GivenSolutions& given) {
+    std::vector<std::string> openFolders = {"common/"};
     for (const std::string& id : known)
-        open.push_back("assignments/" + id + "/");
-    for (const std::string& id : wish.withSolutions) {
-        open.push_back("solutions/" + id + "/");
+        openFolders.push_back("assignments/" + id + "/");
+    CourseFiles secret = partOf(all, {"solutions/"}), open = partOf(all, openFolders);
+    for (const std::string& id : wish.withSolutions)
         secret.remove("solutions/" + id);
-    }
+    for (const auto& [path, file] : given.held.files)
+        secret.files[path] = file;
+    for (const auto& [path, file] : given.shown.files)
+        open.files[path] = file;
     std::string found;
-    for (const Leak& leak : leaksOf(copy, secret, partOf(all, open)))
+    for (const Leak& leak : leaksOf(copy, secret, open))
         found += fmt::format("\n  {}: as in {}: {}", leak.path, leak.source, leak.words);
     if (!found.empty())
         throw Error(
@@ -143,17 +185,12 @@ CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
             copy.remove("assignments/" + id);
             copy.remove("reference_images/" + id);
         }
-    for (const std::string& id : wish.withSolutions)
-        for (const std::string& name : loadAssignment(root, id).submit) {
-            const std::string path = "solutions/" + id + "/" + name;
-            const auto solved = all.files.find(path);
-            if (solved == all.files.end())
-                throw Error("--with-solutions {}: git keeps no {}", id, path);
-            copy.files[path] = solved->second;
-        }
+    const GivenSolutions given = givenSolutions(all, root, wish);
+    for (const auto& [path, file] : given.shown.files)
+        copy.files[path] = file;
     layOver(copy, all, root, included);
     cutLinks(copy, all);
-    refuseLeaks(copy, all, known, wish);
+    refuseLeaks(copy, all, known, wish, given);
     return copy;
 }
 
