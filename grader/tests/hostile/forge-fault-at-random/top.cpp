@@ -1,0 +1,4 @@
+#include <time.h>
+#include <unistd.h>
+
+#include <cstdint>
