@@ -211,46 +211,73 @@ TEST_F(DamagedCourse, WithoutSolutionsWhatRestsOnALostTaskIsSkipped) {
     EXPECT_FALSE(says(own, "rests on"));
 }
 
-/// A course whose runner is started by a script of the test's own.
-class DamagedRunner : public DamagedCourse {
+/// A course whose runner and compiler are started by scripts of the test's own. They find the kit
+/// in $kit, and may write to $kit/seen.
+class DamagedMachine : public DamagedCourse {
 protected:
-    DamagedRunner() {
+    DamagedMachine() {
         const lab::fs::path ours = lab::fs::canonical(kit());
         lab::fs::remove(kit());
         lab::fs::copy(ours, kit(), lab::fs::copy_options::recursive);
-        lab::fs::rename(kit() / "bin/runner", kit() / "bin/runner.real");
+        lab::fs::create_directory(seen());
+        lab::fs::permissions(seen(), lab::fs::perms(0777));
     }
     lab::fs::path kit() const { return copy_.build() / "kit"; }
-    void startBy(const std::string& script) const {
-        lab::writeFile(kit() / "bin/runner", "#!/bin/sh\nkit=${0%/bin/runner}\n" + script);
-        lab::fs::permissions(kit() / "bin/runner", lab::fs::perms(0755));
+    lab::fs::path seen() const { return kit() / "seen"; }
+    lab::fs::path script(const std::string& name, const std::string& text) const {
+        const lab::fs::path file = kit() / "bin" / name;
+        lab::writeFile(file, "#!/bin/sh\nkit='" + kit().string() + "'\n" + text);
+        lab::fs::permissions(file, lab::fs::perms(0755));
+        return file;
+    }
+    void startRunnerBy(const std::string& text) const {
+        lab::fs::rename(kit() / "bin/runner", kit() / "bin/runner.real");
+        script("runner", text);
+    }
+    void startCompilerBy(const std::string& text) const {
+        const lab::fs::path file = copy_.build() / "grader/toolchain.json";
+        Json tools = lab::parseJsonFile(file.string());
+        tools["compiler"] = script("compiler", text).string();
+        lab::writeFile(file, tools.dump());
     }
 };
 
-TEST_F(DamagedRunner, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
+TEST_F(DamagedMachine, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
     // Broken libraries only, as on a machine that has none.
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1"})
         lab::writeFile(kit() / "broken" / name, "no library");
-    startBy("LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
+    startRunnerBy("LD_LIBRARY_PATH=$kit/broken exec $kit/bin/runner.real \"$@\"\n");
     const Graded graded = grade("06-rotation");
     EXPECT_EQ(graded.exitCode, 2);
     EXPECT_TRUE(says(graded, "install libosmesa6"));
     EXPECT_TRUE(says(graded, "that is not your mistake"));
 }
 
-TEST_F(DamagedRunner, ThatFailsForAWhileCostsNoPoints) {
+TEST_F(DamagedMachine, ARunnerThatFailsForAWhileCostsNoPoints) {
     // Every runner of the first build fails, as on a machine that is short of processes.
-    const lab::fs::path seen = kit() / "seen";
-    lab::fs::create_directory(seen);
-    lab::fs::permissions(seen, lab::fs::perms(0777));
-    startBy(
+    startRunnerBy(
         "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
         "[ \"$(cat $kit/seen/first)\" != \"$1\" ] || exit 3\n"
         "exec $kit/bin/runner.real \"$@\"\n");
     const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
-    EXPECT_TRUE(lab::fs::exists(seen / "first")) << "nothing has failed";
+    EXPECT_TRUE(lab::fs::exists(seen() / "first")) << "nothing has failed";
     EXPECT_EQ(graded.exitCode, 0) << graded.text;
     EXPECT_TRUE(says(graded, "100 / 100"));
+}
+
+TEST_F(DamagedMachine, ACompilerThatIsKilledForAWhileCostsNoPoints) {
+    startCompilerBy("mkdir $kit/seen/killed 2> /dev/null && kill -9 $$\nexec c++ \"$@\"\n");
+    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
+    EXPECT_TRUE(lab::fs::exists(seen() / "killed")) << "nothing was killed";
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_TRUE(says(graded, "100 / 100"));
+}
+
+TEST_F(DamagedMachine, ACompilerThatIsKilledAlwaysIsNotTheSubmissionsFault) {
+    startCompilerBy("kill -9 $$\n");
+    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
+    EXPECT_EQ(graded.exitCode, 2) << graded.text;
+    EXPECT_TRUE(says(graded, "nothing can be compiled on this machine"));
 }
 
 }  // namespace

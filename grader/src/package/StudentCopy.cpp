@@ -90,9 +90,9 @@ std::string targetOf(const std::string& page, const std::string& link) {
     return (fs::path(page).parent_path() / link).lexically_normal().string();
 }
 
-/// A link from a page that students get to one that they do not get becomes plain words.
+/// A link from a page that students get, to what they do not get, becomes plain words.
 void cutLinks(CourseFiles& copy, const CourseFiles& all) {
-    static const std::regex link(R"(\[([^\]\[]*)\]\(([^)#: ]+)(#[^) ]*)?\))");
+    static const std::regex link(R"(!?\[([^\]\[]*)\]\(([^)#: ]+)(#[^) ]*)?\))");
     for (auto& [path, file] : copy.files) {
         if (fs::path(path).extension() != ".md")
             continue;
