@@ -55,7 +55,8 @@ Mark markOf(int k, const fs::path& out) {
         const std::string path = fmt::format("07-camera/{}.submission.png", frame);
         writePicture(out / "students" / mark.submission / "report" / path,
                      greyOf(static_cast<std::uint8_t>(k % 256)));
-        essence.checks.push_back({frame, "a frame", up < 40 ? "fail" : "pass", up, 40, "", path});
+        essence.checks.push_back(
+            {frame, "a frame", up < 40 ? "fail" : "pass", up, 40, "", interned(path)});
     }
     writeFile(out / "students" / mark.submission / "report/index.html", "<!doctype html>report");
     essence.tasks = {{"rotate-up", up, k % 3 ? "You turn the target." : "You tilt."}};

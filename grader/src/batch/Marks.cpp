@@ -28,7 +28,7 @@ Mark markFrom(const Manifest& manifest, const Participant& participant, const St
             mark.warnings.push_back(standing->unstable);
         if (standing->result)
             for (const Essence::Task& task : standing->result->tasks)
-                points[task.id] = task.points;
+                points[std::string(task.id)] = task.points;
     }
     const bool judged = mark.status == "graded" || mark.status == "build_error";
     for (const Task& task : manifest.tasks) {

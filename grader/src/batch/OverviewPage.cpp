@@ -46,7 +46,7 @@ std::string tampering(const Mark& mark) {
     if (mark.result)
         for (const Essence::Check& check : mark.result->checks)
             if (!check.message.empty())
-                return check.message;
+                return std::string(check.message);
     return "";
 }
 
@@ -158,8 +158,9 @@ private:
     }
 
     static std::string pictureOfCheck(const Mark& mark, const Essence::Check& check) {
-        return check.picture.empty() ? ""
-                                     : "students/" + mark.submission + "/report/" + check.picture;
+        return check.picture.empty()
+                   ? ""
+                   : fmt::format("students/{}/report/{}", mark.submission, check.picture);
     }
 
     std::string thumbnail(const Mark& mark) const {
@@ -239,7 +240,7 @@ private:
         std::map<std::string, std::size_t> lost;
         forEachCheck(marks_, [&](const Mark& mark, const Essence::Check& check) {
             if (mark.status == "graded" && check.status != "pass")
-                ++lost[check.id + ": " + check.title];
+                ++lost[fmt::format("{}: {}", check.id, check.title)];
         });
         return "<h2 id=checks>Checks that most lost</h2>\n" + ranking(lost);
     }
@@ -250,7 +251,7 @@ private:
             if (mark.result)
                 for (const Essence::Task& task : mark.result->tasks)
                     if (!task.recognised.empty())
-                        ++counts[task.id + ": " + task.recognised];
+                        ++counts[fmt::format("{}: {}", task.id, task.recognised)];
         return "<h2 id=mistakes>Mistakes, by frequency</h2>\n" + ranking(counts);
     }
 
@@ -272,7 +273,7 @@ private:
         std::map<std::string, std::string> figures;
         forEachCheck(marks_, [&](const Mark& mark, const Essence::Check& check) {
             if (const std::string picture = pictureOfCheck(mark, check); !picture.empty())
-                figures[check.id] += fmt::format(
+                figures[std::string(check.id)] += fmt::format(
                     "<figure data-student=\"{}\"><a href=\"{}\"><img loading=lazy src=\"{}\" "
                     "alt=\"picture of {}\"></a><figcaption>{} {}</figcaption></figure>\n",
                     escaped(mark.student.id), linkTo(picture), linkTo(picture), nameOf(mark),
