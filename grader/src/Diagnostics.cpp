@@ -25,7 +25,10 @@ std::string simplified(std::string message) {
     return std::regex_replace(message, vectorType, "glm::$1$2");
 }
 
-std::string withoutDot(const std::string& file) {
+/// A file of the stage by its name there; any other by its last part, since its folder is ours.
+std::string nameOf(const std::string& file) {
+    if (file.starts_with("/"))
+        return file.substr(file.rfind('/') + 1);
     return file.starts_with("./") ? file.substr(2) : file;
 }
 
@@ -35,7 +38,7 @@ std::optional<Diagnostic> fromCompiler(const std::string& line) {
     std::smatch match;
     if (!std::regex_search(line, match, located, std::regex_constants::match_continuous))
         return std::nullopt;
-    return Diagnostic{withoutDot(match[1]), std::stoi(match[2]),
+    return Diagnostic{nameOf(match[1]), std::stoi(match[2]),
                       match[3].matched ? std::stoi(match[3]) : 0, match[4],
                       withoutFolders(simplified(match.suffix()))};
 }

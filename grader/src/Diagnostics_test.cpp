@@ -41,6 +41,13 @@ TEST(Diagnostics, ErrorsAndWarningsOfGcc) {
                             error("rotation.cpp", 1, 10, "nope.h: No such file")));
 }
 
+TEST(Diagnostics, OfAFileWithAFolderOfOursOnlyTheNameIsLeft) {
+    EXPECT_THAT(parseDiagnostics("/tmp/course-x/held/rotation.cpp:3:1: error: oops\n"
+                                 "shaders/part.h:2:1: error: oops\n"),
+                ElementsAre(error("rotation.cpp", 3, 1, "oops"),
+                            error("shaders/part.h", 2, 1, "oops")));
+}
+
 TEST(Diagnostics, AColumnMayBeMissing) {
     EXPECT_THAT(parseDiagnostics("g.cpp:12: error: unterminated #if"),
                 ElementsAre(error("g.cpp", 12, 0, "unterminated #if")));
