@@ -42,10 +42,10 @@ TEST(Diagnostics, ErrorsAndWarningsOfGcc) {
 }
 
 TEST(Diagnostics, OfAFileWithAFolderOfOursOnlyTheNameIsLeft) {
-    EXPECT_THAT(parseDiagnostics("/tmp/course-x/held/rotation.cpp:3:1: error: oops\n"
-                                 "shaders/part.h:2:1: error: oops\n"),
-                ElementsAre(error("rotation.cpp", 3, 1, "oops"),
-                            error("shaders/part.h", 2, 1, "oops")));
+    EXPECT_THAT(
+        parseDiagnostics("/tmp/course-x/held/rotation.cpp:3:1: error: oops\n"
+                         "shaders/part.h:2:1: error: oops\n"),
+        ElementsAre(error("rotation.cpp", 3, 1, "oops"), error("shaders/part.h", 2, 1, "oops")));
 }
 
 TEST(Diagnostics, AColumnMayBeMissing) {
