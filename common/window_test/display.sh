@@ -19,9 +19,21 @@ log=$folder/log
 server=
 window_process=
 
+# One after the other: of two servers that start or end at once, one may take the other's socket away.
+alone() {
+    exec 9> "${TMPDIR:-/tmp}/course-display-$(id -u).lock"
+    flock 9
+}
+together() { exec 9>&-; }
+
 cleanup() {
     [[ -z $window_process ]] || kill "$window_process" 2> /dev/null || true
-    [[ -z $server ]] || kill "$server" 2> /dev/null || true
+    if [[ -n $server ]]; then
+        alone
+        kill "$server" 2> /dev/null || true
+        wait "$server" 2> /dev/null || true
+        together
+    fi
     rm -rf "$folder"
 }
 trap cleanup EXIT
@@ -39,10 +51,8 @@ wait_for() {
     fail "waited in vain: $what"
 }
 
-# One after the other: two servers that start at once may take each other's socket away.
 start_display() {
-    exec 9> "${TMPDIR:-/tmp}/course-display-$(id -u).lock"
-    flock 9
+    alone
     Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3> "$folder/display" \
         2> "$folder/server" 9>&- &
     server=$!
@@ -50,7 +60,7 @@ start_display() {
     DISPLAY=:$(< "$folder/display")
     export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
     wait_for "the display answers" xdotool getdisplaygeometry
-    exec 9>&-
+    together
 }
 
 # open_window PROGRAM ARGUMENT...: runs it in $folder, where its screenshots appear, and gives its
