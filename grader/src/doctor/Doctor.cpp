@@ -18,12 +18,21 @@ namespace grader {
 
 namespace {
 
-/// Each line is "Name: value"; all of it can be had from a sandbox's own /usr and /proc.
+/// Each line is "Name: value"; all of it can be had from a sandbox's own /usr and /proc. $1 is the
+/// kit, which may lie in somebody's /home: the folders that lead to it are there, and nothing else.
 constexpr const char* kLookAround = R"sh(
 grep -E '^(CapEff|NoNewPrivs|Seccomp):' /proc/self/status
 echo "Processes: $(ls /proc | grep -c '^[0-9]')"
 echo "Interfaces:$(tail -n +3 /proc/net/dev | cut -d: -f1 | tr -d '\n')"
-for name in /etc/passwd /root /home /var /run; do [ -e $name ] && seen="$seen $name"; done
+look() {
+    case "$1" in "$kit") return ;; esac
+    case "$kit" in
+        "$1"/*) for each in "$1"/* "$1"/.[!.]*; do look "$each"; done ;;
+        *) [ ! -e "$1" ] || seen="$seen $1" ;;
+    esac
+}
+kit=$1
+for name in /etc/passwd /root /home /var /run; do look $name; done
 echo "Visible:$seen"
 echo "Writable:$(for name in / /usr /tmp; do [ -w $name ] && printf ' %s' $name; done)"
 echo "Cores: $(ulimit -c)"
@@ -65,7 +74,8 @@ Confession confess(const Toolchain& tools, const Sandbox& sandbox) {
     confinement.user = user.id();
     confinement.readable = {tools.kit};
     const ProcessResult ran =
-        run(sandbox.confine(confinement, {"sh", "-c", kLookAround}), kSandboxPatience);
+        run(sandbox.confine(confinement, {"sh", "-c", kLookAround, "sh", tools.kit.string()}),
+            kSandboxPatience);
     Confession said;
     std::istringstream lines(ran.output);
     for (std::string line; std::getline(lines, line);)
@@ -158,7 +168,7 @@ std::vector<Defence> defencesFrom(const Confession& said, const std::string& san
         "start the grader as root");
     add("files", "sees no file but the system's and its own", spoke && visible.empty(),
         !spoke            ? ""
-        : visible.empty() ? "no /etc/passwd, /root, /home, /var, /run"
+        : visible.empty() ? "nothing of /etc/passwd, /root, /home, /var, /run"
                           : "it sees " + visible,
         how);
     add("read_only", "writes nowhere but in its /tmp", spoke && (writable == "/tmp"),
