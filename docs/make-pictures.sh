@@ -10,14 +10,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=common/window_test/display.sh
 source common/window_test/display.sh  # makes $folder, and puts it away
 
-mkdir -p "$folder/work/06-rotation"
+mkdir -p "$folder/handed-in/06-rotation"
 # The mistake of a student: the sine term of (6.13) is missing.
 awk -v body=solutions/06-rotation/mistakes/rotation-without-sine.cpp '
     /END TODO\(rotation\)/ { while ((getline line < body) > 0) print line; inside = 0 }
     !inside { print }
     /BEGIN TODO\(rotation\)/ { inside = 1 }' \
-    solutions/06-rotation/rotation.cpp > "$folder/work/06-rotation/rotation.cpp"
-./grade 06-rotation --submission "$folder/work" --report "$folder/report" > /dev/null || (($? == 1))
+    solutions/06-rotation/rotation.cpp > "$folder/handed-in/06-rotation/rotation.cpp"
+./grade 06-rotation --submission "$folder/handed-in" --report "$folder/report" > /dev/null || (($? == 1))
 
 class=grader/examples/class
 ./grade batch $class/submissions --assignment 06-rotation --seed 1 --out "$folder/class" --quiet \
