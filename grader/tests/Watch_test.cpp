@@ -230,8 +230,7 @@ TEST_F(Watch, StoppedItGivesTheTerminalBackAndGoesOnLater) {
     PseudoTerminal terminal(command("06-rotation"));
     terminal.waitFor(kWaiting);
     terminal.type("\032");  // Ctrl-Z
-    for (int i = 0; i < 200 && !terminal.isAsBefore(); ++i)
-        wait(10);
+    terminal.waitUntilStopped();
     EXPECT_TRUE(terminal.isAsBefore());
     kill(terminal.pid(), SIGCONT);
     terminal.waitFor(kWaiting);

@@ -312,6 +312,7 @@ private:
         clearStatus();
         keys_.suspend();
         raise(SIGSTOP);
+        keys_.resume();  // before the line that names the keys is drawn
     }
 
     // ---- keys ----
