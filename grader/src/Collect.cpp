@@ -214,11 +214,11 @@ std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& te
     return tasks;
 }
 
-std::vector<HandedIn> handedIn(const Manifest& manifest) {
+std::map<std::string, fs::path> handedIn(const Manifest& manifest) {
     const fs::path assignments = manifest.folder.parent_path();
-    std::vector<HandedIn> all;
+    std::map<std::string, fs::path> all;
     for (const std::string& name : manifest.submit)
-        all.push_back({name, manifest.folder / name});
+        all[name] = manifest.folder / name;
     std::set<std::string> sources;
     for (const auto& [name, from] : manifest.inherits)
         if (const fs::path starter = assignments / from / name;
@@ -226,7 +226,7 @@ std::vector<HandedIn> handedIn(const Manifest& manifest) {
             sources.insert(from);
     for (const auto& [name, from] : manifest.inherits)
         if (sources.contains(from))
-            all.push_back({name, assignments / from / name});
+            all.emplace(name, assignments / from / name);
     return all;
 }
 

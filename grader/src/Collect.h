@@ -60,15 +60,10 @@ struct Collected {
 /// Tasks of an assignment that have a region in a file's text.
 std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& text);
 
-/// A file that students hand in, and the one that they begin with.
-struct HandedIn {
-    std::string name;
-    fs::path starter;
-};
-
-/// What students hand in for an assignment: `submit`; and where a task is solved in a file of an
-/// earlier assignment, that one's files (08-perspective: Camera.h and Camera.cpp of 07-camera).
-std::vector<HandedIn> handedIn(const Manifest& manifest);
+/// What students hand in for an assignment, and what they begin with (name → starter): `submit`;
+/// and where a task is solved in a file of an earlier assignment, that one's files
+/// (08-perspective: Camera.h and Camera.cpp of 07-camera).
+std::map<std::string, fs::path> handedIn(const Manifest& manifest);
 
 /// What takes the place of an inherited file that is missing or broken: the solution's, in which
 /// the tasks of the assignment itself are as the starter has them; or the starter's where there are

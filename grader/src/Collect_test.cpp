@@ -141,16 +141,16 @@ TEST_F(Collecting, ATaskInAnInheritedFileIsNeverTheSolutions) {
     manifest.inherits = {{"rotation.cpp", "06-rotation"}, {"rotation.h", "06-rotation"}};
     const auto names = [&] {
         std::vector<std::string> all;
-        for (const HandedIn& each : handedIn(manifest))
-            all.push_back(each.name);
+        for (const auto& [name, starter] : handedIn(manifest))
+            all.push_back(name);
         return all;
     };
-    EXPECT_THAT(names(), ElementsAre("Camera.h", "Camera.cpp"));
+    EXPECT_THAT(names(), ElementsAre("Camera.cpp", "Camera.h"));
     EXPECT_EQ(substituteFor(course.path(), manifest, "rotation.cpp").content,
               with("tilted", "turned"));
 
     manifest.tasks.push_back({.id = "tilt"});
-    EXPECT_THAT(names(), ElementsAre("Camera.h", "Camera.cpp", "rotation.cpp", "rotation.h"));
+    EXPECT_THAT(names(), ElementsAre("Camera.cpp", "Camera.h", "rotation.cpp", "rotation.h"));
     submitBoth();
     const Collected all = collected();
     EXPECT_EQ(staged(all, "rotation.cpp"), with("tilt?", "turned") + " (solutions)");

@@ -265,6 +265,31 @@ TEST_F(DamagedMachine, ARunnerThatFailsForAWhileCostsNoPoints) {
     EXPECT_TRUE(says(graded, "100 / 100"));
 }
 
+TEST_F(DamagedMachine, ARunnerThatIsKilledForAWhileCostsNoPoints) {
+    // As the kernel does on a machine that is short of memory.
+    startRunnerBy(
+        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
+        "[ \"$(cat $kit/seen/first)\" != \"$1\" ] || kill -9 $$\n"
+        "exec $kit/bin/runner.real \"$@\"\n");
+    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
+    EXPECT_TRUE(lab::fs::exists(seen() / "first")) << "nothing was killed";
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_TRUE(says(graded, "100 / 100"));
+}
+
+TEST_F(DamagedMachine, AFaultWhileANeededTaskIsPutRightTakesNoPoints) {
+    // The submission itself is graded; all that is graded after it fails.
+    startRunnerBy(
+        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
+        "[ \"$(cat $kit/seen/first)\" = \"$1\" ] || exit 3\n"
+        "exec $kit/bin/runner.real \"$@\"\n");
+    lab::fs::copy(file("solutions"), file("handed-in"), lab::fs::copy_options::recursive);
+    edit("handed-in/06-rotation/rotation.cpp", "return R;", "return glm::transpose(R);");
+    const Graded graded = grade("07-camera", "handed-in", {"--no-sandbox"});
+    EXPECT_EQ(graded.exitCode, 2) << graded.text;
+    EXPECT_TRUE(says(graded, "that is not your mistake")) << graded.text;
+}
+
 TEST_F(DamagedMachine, ACompilerThatIsKilledForAWhileCostsNoPoints) {
     startCompilerBy("mkdir $kit/seen/killed 2> /dev/null && kill -9 $$\nexec c++ \"$@\"\n");
     const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});

@@ -102,7 +102,7 @@ TEST_F(BatchFaults, AFullDiskIsSaidAndNothingIsLost) {
              .succeeded())
         GTEST_SKIP() << "a small disk cannot be mounted here";
     const Graded full = batch();
-    EXPECT_EQ(full.exitCode, 2);
+    EXPECT_EQ(full.exitCode, 2) << full.text;
     EXPECT_THAT(full.text, HasSubstr("No space left on device"));
     lab::run({"mount", "-o", "remount,size=64m", out().string()}, 10);
     const Graded again = batch();

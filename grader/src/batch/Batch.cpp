@@ -172,7 +172,8 @@ Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
         return standingFrom(entrant.name, document);
     }
     const Submission submission = submissionIn(unpacked.folder, known_);
-    std::vector<AssignmentResult> results = {grader_.grade(manifest_, submission, terms_.seed)};
+    std::vector<AssignmentResult> results;  // braces would copy all its pictures
+    results.push_back(grader_.grade(manifest_, submission, terms_.seed));
     if (!unpacked.notice.empty())
         results.front().notices.push_back(unpacked.notice);
     const std::string unstable = terms_.stable ? repeated(submission, results.front()) : "";
@@ -210,16 +211,16 @@ Print Batch::printOf(const std::string& entrant, const Submission& submission) c
     Print print{entrant, {}, ""};
     std::string words;
     const Stage stage = collect(root, manifest_, submission).stage;
-    for (const HandedIn& each : handedIn(manifest_)) {
-        const StagedFile* file = stage.find(each.name);
+    Fingerprints starter;
+    for (const auto& [name, begun] : handedIn(manifest_)) {
+        starter = joined(starter, fingerprintsOf(readFile(begun)));
+        const StagedFile* file = stage.find(name);
         if (file->origin != "submission")
             continue;
         words += wordsOf(file->content) + "\n";
-        print.own.merge(fingerprintsOf(file->content));
+        print.own = joined(print.own, fingerprintsOf(file->content));
     }
-    for (const HandedIn& each : handedIn(manifest_))
-        for (const std::uint64_t mark : fingerprintsOf(readFile(each.starter)))
-            print.own.erase(mark);
+    print.own = without(print.own, starter);
     print.exact = sha256(words);
     return print;
 }

@@ -17,7 +17,7 @@ using testing_help::whatOf;
 Print printOf(const std::string& name, std::uint64_t from) {
     Print print{name, {}, std::to_string(from)};
     for (std::uint64_t each = from; each < from + 20; ++each)
-        print.own.insert(each);
+        print.own.push_back(each);
     return print;
 }
 

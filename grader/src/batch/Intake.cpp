@@ -25,10 +25,7 @@ std::optional<fs::path> archiveInside(const fs::path& folder, const Manifest& ma
     std::optional<fs::path> archive;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        const auto isOne = [&](const std::string& each) { return each == name; };
-        if (std::any_of(listed.begin(), listed.end(),
-                        [&](const HandedIn& each) { return isOne(each.name); }) ||
-            std::any_of(known.begin(), known.end(), isOne))
+        if (listed.contains(name) || std::find(known.begin(), known.end(), name) != known.end())
             return std::nullopt;
         if (!isPlain(entry) || !stemOfArchive(name))
             continue;

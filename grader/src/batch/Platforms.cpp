@@ -24,26 +24,22 @@ std::vector<fs::directory_entry> visibleEntries(const fs::path& folder) {
     return entries;
 }
 
-bool isHandedIn(const Manifest& manifest, const std::string& name) {
-    const auto all = handedIn(manifest);
-    return std::any_of(all.begin(), all.end(),
-                       [&](const HandedIn& each) { return each.name == name; });
-}
+using Listed = std::map<std::string, fs::path>;  // as handedIn() has them
 
 /// "Camera-1.cpp" → "Camera.cpp", where that is a file of the assignment.
-std::string withoutRepeat(const std::string& name, const Manifest& manifest) {
+std::string withoutRepeat(const std::string& name, const Listed& listed) {
     static const std::regex kRepeat(R"((.+)-\d+(\.[^.]+))");
     std::smatch part;
-    if (!std::regex_match(name, part, kRepeat) || isHandedIn(manifest, name))
+    if (!std::regex_match(name, part, kRepeat) || listed.contains(name))
         return name;
     const std::string plain = part[1].str() + part[2].str();
-    return isHandedIn(manifest, plain) ? plain : name;
+    return listed.contains(plain) ? plain : name;
 }
 
 /// Files of one student that lie among others': one archive stands for itself.
-Entrant entrantOfFiles(std::string name, std::vector<LooseFile> files, const Manifest& manifest) {
+Entrant entrantOfFiles(std::string name, std::vector<LooseFile> files, const Listed& listed) {
     const bool anyListed = std::any_of(files.begin(), files.end(), [&](const LooseFile& each) {
-        return isHandedIn(manifest, each.name);
+        return listed.contains(each.name);
     });
     const auto archives = std::count_if(files.begin(), files.end(), [](const LooseFile& each) {
         return stemOfArchive(each.name).has_value();
@@ -65,7 +61,7 @@ struct CanvasFile {
 };
 
 Intake takeInCanvas(const std::vector<fs::directory_entry>& entries, const std::regex& form,
-                    const Manifest& manifest) {
+                    const Listed& listed) {
     Intake intake;
     std::map<std::string, std::map<std::string, CanvasFile>> students;  // name → file name → newest
     std::map<std::string, Entrant> about;
@@ -79,7 +75,7 @@ Intake takeInCanvas(const std::vector<fs::directory_entry>& entries, const std::
         }
         const std::string student = part[1].str() + "_" + part[3].str();
         const CanvasFile file{std::stoll(part[4].str()),
-                              {withoutRepeat(part[5].str(), manifest), entry.path()}};
+                              {withoutRepeat(part[5].str(), listed), entry.path()}};
         CanvasFile& newest = students[student][file.file.name];
         if (newest.file.name.empty() || newest.attachment < file.attachment)
             newest = file;
@@ -90,7 +86,7 @@ Intake takeInCanvas(const std::vector<fs::directory_entry>& entries, const std::
         std::vector<LooseFile> loose;
         for (auto& [name, each] : files)
             loose.push_back(std::move(each.file));
-        Entrant entrant = entrantOfFiles(student, std::move(loose), manifest);
+        Entrant entrant = entrantOfFiles(student, std::move(loose), listed);
         entrant.owners = about[student].owners;
         entrant.late = about[student].late;
         intake.entrants.push_back(std::move(entrant));
@@ -122,8 +118,9 @@ Intake takeInMoodle(const std::vector<fs::directory_entry>& entries, const std::
         else
             intake.ignored.push_back(name + ": neither a folder nor a file");
     }
+    const Listed listed = handedIn(manifest);
     for (auto& [student, files] : loose)
-        intake.entrants.push_back(entrantOfFiles(student, std::move(files), manifest));
+        intake.entrants.push_back(entrantOfFiles(student, std::move(files), listed));
     for (Entrant& each : intake.entrants)
         each.owners = {owners.at(each.name)};
     return intake;
@@ -183,7 +180,7 @@ std::optional<Intake> takeInExport(const fs::path& submissions, const Manifest& 
     if (mostAre(kMoodle))
         return takeInMoodle(entries, kMoodle, manifest, known);
     if (mostAre(kCanvas))
-        return takeInCanvas(entries, kCanvas, manifest);
+        return takeInCanvas(entries, kCanvas, handedIn(manifest));
     return std::nullopt;
 }
 

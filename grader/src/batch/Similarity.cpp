@@ -1,7 +1,10 @@
 #include "batch/Similarity.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
+#include <span>
 
 #include "Tokens.h"
 
@@ -31,13 +34,64 @@ std::uint64_t hashOf(std::uint64_t hash, const std::string& word) {
     return (hash ^ 0xff) * kPrime;
 }
 
-/// How many of the submissions have each fingerprint.
-std::map<std::uint64_t, std::vector<std::size_t>> ownersOf(const std::vector<Print>& prints) {
-    std::map<std::uint64_t, std::vector<std::size_t>> owners;
-    for (std::size_t i = 0; i < prints.size(); ++i)
+/// Who has which fingerprint. What many have is how the thing is written, and nobody's.
+class Owners {
+public:
+    explicit Owners(const std::vector<Print>& prints)
+        : most_(std::max<std::size_t>(5, prints.size() / 10)) {
+        for (std::size_t i = 0; i < prints.size(); ++i)
+            for (const std::uint64_t each : prints[i].own)
+                all_.emplace_back(each, i);
+        std::sort(all_.begin(), all_.end());
+    }
+
+    using Owned = std::pair<std::uint64_t, std::size_t>;
+
+    /// In the order of the prints.
+    std::span<const Owned> of(std::uint64_t fingerprint) const {
+        const auto first = std::lower_bound(all_.begin(), all_.end(), Owned{fingerprint, 0});
+        const auto end = std::upper_bound(
+            first, all_.end(), Owned{fingerprint, std::numeric_limits<std::size_t>::max()});
+        const std::span<const Owned> owners(first, end);
+        return owners.size() > most_ ? std::span<const Owned>() : owners;
+    }
+
+private:
+    std::size_t most_;
+    std::vector<Owned> all_;
+};
+
+using Found = std::map<std::pair<std::size_t, std::size_t>, Likeness>;
+
+void findShared(const std::vector<Print>& prints, std::size_t many, Found& found) {
+    const Owners owners(prints);
+    std::vector<std::size_t> counted;
+    for (const Print& print : prints)
+        counted.push_back(static_cast<std::size_t>(
+            std::count_if(print.own.begin(), print.own.end(),
+                          [&](std::uint64_t each) { return !owners.of(each).empty(); })));
+    for (std::size_t i = 0; i < std::min(many, prints.size()); ++i) {
+        std::vector<std::size_t> shared(prints.size());
         for (const std::uint64_t each : prints[i].own)
-            owners[each].push_back(i);
-    return owners;
+            for (const auto& [fingerprint, owner] : owners.of(each))
+                ++shared[owner];
+        for (std::size_t k = i + 1; k < prints.size(); ++k) {
+            const std::size_t fewer = std::min(counted[i], counted[k]);
+            const double share = static_cast<double>(shared[k]) / static_cast<double>(fewer);
+            if (fewer >= kFewestFingerprints && share >= kAlike)
+                found[{i, k}] = {prints[i].name, prints[k].name, share, false};
+        }
+    }
+}
+
+void findIdentical(const std::vector<Print>& prints, std::size_t many, Found& found) {
+    std::map<std::string, std::vector<std::size_t>> byText;
+    for (std::size_t i = 0; i < prints.size(); ++i)
+        if (prints[i].own.size() >= kFewestFingerprints)
+            byText[prints[i].exact].push_back(i);
+    for (const auto& [text, same] : byText)
+        for (std::size_t i = 1; same[0] < many && i < same.size(); ++i)
+            found[{same[0], same[i]}] = {prints[same[0]].name, prints[same[i]].name, 1, true};
 }
 
 }  // namespace
@@ -67,38 +121,31 @@ Fingerprints fingerprintsOf(const std::string& text) {
     }
     Fingerprints kept;
     for (std::size_t i = 0; i + kWindow <= runs.size(); ++i)
-        kept.insert(*std::min_element(runs.begin() + static_cast<std::ptrdiff_t>(i),
-                                      runs.begin() + static_cast<std::ptrdiff_t>(i + kWindow)));
+        kept.push_back(*std::min_element(runs.begin() + static_cast<std::ptrdiff_t>(i),
+                                         runs.begin() + static_cast<std::ptrdiff_t>(i + kWindow)));
+    std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
     return kept;
 }
 
+Fingerprints joined(const Fingerprints& first, const Fingerprints& second) {
+    Fingerprints all;
+    std::set_union(first.begin(), first.end(), second.begin(), second.end(),
+                   std::back_inserter(all));
+    return all;
+}
+
+Fingerprints without(const Fingerprints& first, const Fingerprints& second) {
+    Fingerprints left;
+    std::set_difference(first.begin(), first.end(), second.begin(), second.end(),
+                        std::back_inserter(left));
+    return left;
+}
+
 std::vector<Likeness> nearlyIdentical(const std::vector<Print>& prints, std::size_t many) {
-    const std::size_t most = std::max<std::size_t>(5, prints.size() / 10);
-    std::vector<std::size_t> counted(prints.size());
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared;
-    for (const auto& [fingerprint, owners] : ownersOf(prints)) {
-        if (owners.size() > most)
-            continue;
-        for (std::size_t i = 0; i < owners.size(); ++i) {
-            ++counted[owners[i]];
-            for (std::size_t k = i + 1; owners[i] < many && k < owners.size(); ++k)
-                ++shared[{owners[i], owners[k]}];
-        }
-    }
-    std::map<std::pair<std::size_t, std::size_t>, Likeness> found;
-    for (const auto& [pair, count] : shared) {
-        const std::size_t fewer = std::min(counted[pair.first], counted[pair.second]);
-        const double share = static_cast<double>(count) / static_cast<double>(fewer);
-        if (fewer >= kFewestFingerprints && share >= kAlike)
-            found[pair] = {prints[pair.first].name, prints[pair.second].name, share, false};
-    }
-    std::map<std::string, std::vector<std::size_t>> byText;
-    for (std::size_t i = 0; i < prints.size(); ++i)
-        if (prints[i].own.size() >= kFewestFingerprints)
-            byText[prints[i].exact].push_back(i);
-    for (const auto& [text, same] : byText)
-        for (std::size_t i = 1; same[0] < many && i < same.size(); ++i)
-            found[{same[0], same[i]}] = {prints[same[0]].name, prints[same[i]].name, 1, true};
+    Found found;
+    findShared(prints, many, found);
+    findIdentical(prints, many, found);
     std::vector<Likeness> all;
     for (const auto& [pair, each] : found)
         all.push_back(each);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,16 @@ namespace grader {
 /// fingerprinting", SIGMOD 2003). Names, numbers, strings, comments and layout make no difference,
 /// so that renaming does not hide a copy. Two texts that share a run of kSureTokens tokens share a
 /// fingerprint.
-using Fingerprints = std::set<std::uint64_t>;
+/// In ascending order, none twice.
+using Fingerprints = std::vector<std::uint64_t>;
 inline constexpr std::size_t kRunTokens = 12, kWindow = 8;
 inline constexpr std::size_t kSureTokens = kRunTokens + kWindow - 1;
 
 Fingerprints fingerprintsOf(const std::string& text);
+
+/// Of several texts; and those of the first that the second lacks.
+Fingerprints joined(const Fingerprints& first, const Fingerprints& second);
+Fingerprints without(const Fingerprints& first, const Fingerprints& second);
 
 /// The kinds of the tokens of a text in C++ or GLSL: "if", "(", "NAME", "NUMBER", …
 std::vector<std::string> tokensOf(const std::string& text);

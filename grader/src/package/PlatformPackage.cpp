@@ -39,8 +39,8 @@ std::string tableOf(const Manifest& manifest) {
 /// The words between two @ in the scripts of grader/platforms.
 std::map<std::string, std::string> wordsFor(const PackageOrder& order) {
     std::vector<std::string> files;
-    for (const HandedIn& each : handedIn(order.manifest))
-        files.push_back(each.name);
+    for (const auto& [name, starter] : handedIn(order.manifest))
+        files.push_back(name);
     double automatic = 0, manual = 0;
     for (const Task& task : order.manifest.tasks)
         (task.manual ? manual : automatic) += task.points;
