@@ -18,7 +18,7 @@
 /// graph hangs on node["world"], which is there from the start and empty. The scene owns all that
 /// its members point to, and deletes it at its end; not copyable.
 ///
-/// init() and draw() are an assignment's: code that calls neither can do without them.
+/// draw() is an assignment's: code that does not call it can do without.
 class Scene {
 public:
     Camera* camera = new Camera;
@@ -44,7 +44,6 @@ public:
     }
 
     /// Fills the palettes and the graph, and makes the shader ready. Needs a current context.
-    void init(void);
 
     /// Draws each model once for each path that leads to it from node["world"] (algorithm 9.3),
     /// with the shader's program in use. The camera's matrices, the shader's view and projection

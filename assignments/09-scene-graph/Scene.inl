@@ -67,7 +67,7 @@ inline void fillModels(Scene& scene) {
     model["bulb"] = new Model{geometry["cube"], material["bulb"]};
 }
 
-/// Six nodes, twelve arrows, nine paths: nine models are drawn.
+/// Six nodes, fourteen arrows, nine paths: nine models are drawn.
 inline void fillGraph(Scene& scene) {
     auto& node = scene.node;  // node["world"] is there already
     auto& model = scene.model;
@@ -107,17 +107,3 @@ inline void buildFigure(Scene& scene) {
 }
 
 }  // namespace course
-
-inline void Scene::init(void) {
-    course::buildFigure(*this);
-    camera->eye_default = glm::vec3(1.6f, 2.1f, 5.0f);
-    camera->target_default = glm::vec3(0.0f, 0.95f, 0.0f);
-    camera->fovy_default = 34.0f;
-    camera->near_default = 0.1f;
-    camera->far_default = 50.0f;
-    camera->reset();
-    shader->read_source("shaders/projective.vert", "shaders/normal.frag");
-    shader->compile();
-    glUseProgram(shader->program);
-    shader->initUniforms();
-}

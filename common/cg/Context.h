@@ -7,7 +7,8 @@
 namespace cg {
 
 /// An OpenGL 3.3 core context with a framebuffer of its own. Providers: OsMesaContext (memory, no
-/// screen) and GlfwContext (a window). A context belongs to the thread that makes it current.
+/// screen), EglContext (the same where there is no OSMesa) and GlfwContext (a window). A context
+/// belongs to the thread that makes it current.
 class Context {
 public:
     Context(const Context&) = delete;

@@ -14,7 +14,7 @@ namespace {
 constexpr int kInside = -1;  ///< told apart from a first step escape here: they may look different
 constexpr int kFewest = 4;  ///< pixels of a level set whose colour is compared with its neighbour's
 constexpr int kGrid = 4;    ///< pixels between those whose colours are compared for the evidence
-constexpr float kSame = 1e-5f;  ///< largest difference within one colour
+constexpr float kSame = 1e-5f;  ///< largest difference within one colour; two levels may have less
 
 template <class Real>
 int levelOf(Real cx, Real cy, int maxiter) {
@@ -146,7 +146,7 @@ std::string complaint(const View& view, const std::vector<glm::vec3>& picture) {
         if (set->first == kInside || next == sets.end() || set->second.pixels < kFewest ||
             next->second.pixels < kFewest)
             continue;
-        if (isSame(set->second.colour, next->second.colour)) {
+        if (set->second.colour == next->second.colour) {
             return say("with {} neighbouring levels have different colours: {} and {} both are {}",
                        tell(view), nameOf(set->first), nameOf(next->first), set->second.colour);
         }

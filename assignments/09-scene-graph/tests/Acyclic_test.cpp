@@ -1,6 +1,7 @@
 // The cycle guard of Scene::draw. Each cycle is asked for after the same scene without its last
 // edge: whoever draws nothing at all has guarded nothing. Where models are is another task's.
 #include <algorithm>
+#include <csignal>
 #include <map>
 
 #include "graph.h"
@@ -49,7 +50,9 @@ std::string complaintAbout(const protocol::Answer& answer) {
         case Outcome::output:
             return "printed without end";
         case Outcome::crash:
-            return say("crashed (signal {}): endless recursion, or assert", int(answer.code));
+            return answer.code == SIGABRT
+                       ? ""
+                       : say("crashed (signal {}): endless recursion", int(answer.code));
         default:
             throw std::runtime_error(answer.detail);
     }
@@ -79,8 +82,9 @@ struct Trap {
         using protocol::Outcome;
         const auto& todos = answer().todos;
         const Outcome outcome = answer().outcome;
+        const bool aborted = outcome == Outcome::crash && answer().code == SIGABRT;
         return (outcome == Outcome::ok || outcome == Outcome::exception ||
-                outcome == Outcome::exited) &&
+                outcome == Outcome::exited || aborted) &&
                std::find(todos.begin(), todos.end(), "acyclic") == todos.end();
     }
 };

@@ -14,7 +14,7 @@ uniform vec4 ambient;     // C_ambient; of all colours only the rgb count
 uniform vec4 diffuse;     // C_diffuse
 uniform vec4 specular;    // C_specular
 uniform vec4 emision;     // E, spelled as in the notes
-uniform float shininess;  // sigma, above 1
+uniform float shininess;  // sigma, above 0
 
 uniform bool enablelighting;      // false: show the normals instead
 uniform int nlights;              // 0 to 10; what later slots hold means nothing
