@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -66,8 +67,12 @@ public:
         const auto from = take(size);
         std::memcpy(data, from.data(), size);
     }
-    std::string text() {
-        const auto from = take(number<std::uint32_t>());
+    /// Throws ProtocolError for a longer one.
+    std::string text(std::size_t longest = std::numeric_limits<std::size_t>::max()) {
+        const auto size = number<std::uint32_t>();
+        if (size > longest)
+            throw ProtocolError("a text is too long");
+        const auto from = take(size);
         return {from.begin(), from.end()};
     }
     Bytes blob() {

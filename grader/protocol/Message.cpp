@@ -13,6 +13,7 @@ namespace protocol {
 namespace {
 
 constexpr std::size_t kMostTodos = 256;
+constexpr std::size_t kLongestText = 16384, kLongestName = 200;  // bytes
 
 void writeNonce(ByteWriter& out, const Nonce& nonce) {
     out.number(nonce[0]);
@@ -82,7 +83,7 @@ Bytes encodeAnswer(const Answer& answer) {
     writeNonce(out, answer.nonce);
     out.number(static_cast<std::uint8_t>(answer.outcome));
     out.number(answer.code);
-    out.text(answer.detail);
+    out.text(answer.detail.substr(0, kLongestText));
     out.number(static_cast<std::uint32_t>(answer.todos.size()));
     for (const std::string& id : answer.todos)
         out.text(id);
@@ -96,12 +97,12 @@ Answer decodeAnswer(std::span<const std::uint8_t> body) {
     answer.nonce = readNonce(in);
     answer.outcome = readEnum(in, Outcome::faulty);
     answer.code = in.number<std::int32_t>();
-    answer.detail = in.text();
+    answer.detail = in.text(kLongestText);
     const auto count = in.number<std::uint32_t>();
     if (count > kMostTodos)
         throw ProtocolError("too many unfilled regions");
     for (std::uint32_t i = 0; i < count; ++i)
-        answer.todos.push_back(in.text());
+        answer.todos.push_back(in.text(kLongestName));
     answer.payload = in.blob();
     in.end();
     return answer;
@@ -118,9 +119,9 @@ Bytes encodeGraphics(const GraphicsInfo& info) {
 GraphicsInfo decodeGraphics(std::span<const std::uint8_t> body) {
     ByteReader in(body);
     GraphicsInfo info;
-    info.provider = in.text();
-    info.version = in.text();
-    info.renderer = in.text();
+    info.provider = in.text(kLongestName);
+    info.version = in.text(kLongestName);
+    info.renderer = in.text(kLongestName);
     in.end();
     return info;
 }

@@ -50,6 +50,7 @@ Pipes openPipes() {
 [[noreturn]] void runChild(const SubjectFiles& files, const Pipes& pipes) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    prctl(PR_SET_DUMPABLE, 1);  // the parent looks at what this one uses
     const int nothing = open("/dev/null", O_RDONLY);
     const int channel = fcntl(pipes.channel[1], F_DUPFD, 10);
     const int crash = fcntl(pipes.crash[1], F_DUPFD, 10);

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     const runner::SubjectFiles files{argv[1], argv[2], argv[3]};
     const int judge = std::atoi(argv[4]);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
+    prctl(PR_SET_DUMPABLE, 0);  // no child may write to this process' memory
     signal(SIGPIPE, SIG_IGN);
 
     std::unique_ptr<runner::Child> frameChild;

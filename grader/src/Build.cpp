@@ -21,12 +21,8 @@ namespace grader {
 namespace {
 
 constexpr int kCompilerMemoryMib = 2048;  // of each process; where there is a cgroup, of all
+constexpr int kLargestObjectMib = 64;
 constexpr std::size_t kLongestLog = 256 * 1024;
-
-bool isHeader(const std::string& name) {
-    const std::string kind = fs::path(name).extension().string();
-    return kind == ".h" || kind == ".hpp" || kind == ".inl";
-}
 
 /// In the words of cc1plus and of the C++ library.
 bool ranOutOfMemory(const std::string& log) {
@@ -113,10 +109,13 @@ public:
 
 private:
     void layOut() const {
-        for (const StagedFile& file : stage_.files)
-            writeFile(folderOf(file) / file.name, file.content);
         fs::create_directories(sources_);
         fs::create_directories(held_);
+        for (const StagedFile& file : stage_.files)
+            if (!isHeld(file))
+                writeFile(sources_ / file.name, file.content);
+        for (const StagedFile* file : heldFiles())
+            writeFile(held_ / file->name, file->content);
         fs::create_directories(out_);
         shareWithSandbox(sources_, user_, false);
         shareWithSandbox(held_, user_, false);
@@ -125,16 +124,34 @@ private:
 
     static bool isSource(const StagedFile& file) { return file.name.ends_with(".cpp"); }
 
-    /// A solution that stands in for a file is where no compiler of the submission's files sees it.
-    const fs::path& folderOf(const StagedFile& file) const {
-        return isSource(file) && file.origin == "solutions" ? held_ : sources_;
+    /// A solution that stands in for a source is compiled where no text of the submission's is, not
+    /// even a header.
+    static bool isHeld(const StagedFile& file) {
+        return isSource(file) && file.origin == "solutions";
+    }
+
+    /// All that a compiler of stand-ins sees, none where there is no stand-in.
+    std::vector<const StagedFile*> heldFiles() const {
+        std::vector<const StagedFile*> files;
+        for (const StagedFile& file : stage_.files)
+            if (isHeld(file))
+                files.push_back(&file);
+        if (files.empty())
+            return files;
+        for (const StagedFile& file : stage_.coursesHeaders)
+            files.push_back(&file);
+        for (const StagedFile& file : stage_.files)
+            if (isHeader(file.name) && file.role == Role::provided)
+                files.push_back(&file);
+        return files;
     }
 
     /// What runs needs none, and must not read what stands in for a part of its own.
     void removeSources() const {
+        fs::remove_all(held_);
         for (const StagedFile& file : stage_.files)
             if (isSource(file) || isHeader(file.name))
-                fs::remove(folderOf(file) / file.name);
+                fs::remove(sources_ / file.name);
     }
 
     /// The student's own files first: the linker takes the first definition it meets.
@@ -164,10 +181,8 @@ private:
               std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
               std::string("-fmessage-length=0"), std::string("-fmax-errors=20")})
             command.push_back(each);
-        const bool held = folderOf(file) == held_;
-        command.insert(command.end(), {"-c", held ? (held_ / file.name).string() : file.name, "-o",
-                                       (out_ / objectName(file)).string()});
-        return cached(keyOf(file), command, objectName(file), held);
+        command.insert(command.end(), {"-c", file.name, "-o", (out_ / objectName(file)).string()});
+        return cached(keyOf(file), command, objectName(file), isHeld(file) ? held_ : sources_);
     }
 
     Made link(const std::vector<const StagedFile*>& files) {
@@ -181,7 +196,8 @@ private:
         if (!inherited.empty()) {
             std::vector<std::string> archive = {"ar", "rcs", (out_ / "inherited.a").string()};
             archive.insert(archive.end(), inherited.begin(), inherited.end());
-            if (Made made = cached(sha256("archive" + key), archive, "inherited.a"); !made.ok)
+            if (Made made = cached(sha256("archive" + key), archive, "inherited.a", sources_);
+                !made.ok)
                 return made;
             objects.push_back((out_ / "inherited.a").string());
         }
@@ -190,7 +206,7 @@ private:
         command.insert(command.end(), objects.begin(), objects.end());
         command.push_back((tools_.kit / "lib/libcg.a").string());
         command.insert(command.end(), {"-o", (out_ / "subject.so").string()});
-        return cached(sha256(key), command, "subject.so");
+        return cached(sha256(key), command, "subject.so", sources_);
     }
 
     /// All that the object depends on: flags, compiler, our headers, the file, and every file of
@@ -198,6 +214,11 @@ private:
     std::string keyOf(const StagedFile& file) const {
         std::string text = tools_.compiler + "\n" + tools_.compilerVersion + "\n" +
                            tools_.kitFingerprint + "\n" + sandboxIndependentFlags();
+        if (isHeld(file)) {
+            for (const StagedFile* each : heldFiles())
+                text += each->name + "\n" + sha256(withoutComments(each->content)) + "\n";
+            return sha256(file.name + "\nheld\n" + text);
+        }
         const auto reached = reachedFrom(file);
         for (const StagedFile& each : stage_.files)
             if (reached.contains(&each) || !includesOnlyHeaders_)
@@ -228,20 +249,19 @@ private:
     }
 
     Made cached(const std::string& key, const std::vector<std::string>& command,
-                const std::string& output, bool seesHeld = false) {
+                const std::string& output, const fs::path& folder) {
         const fs::path made = out_ / output;
         if (const auto log = cache_.fetch(key, made))
             return {true, false, *log};
         Confinement confinement;
-        confinement.readable = {tools_.kit, sources_};
-        if (seesHeld)
-            confinement.readable.push_back(held_);
+        confinement.readable = {tools_.kit, folder};
         confinement.writable = {out_};
-        confinement.workingFolder = sources_;
+        confinement.workingFolder = folder;
         confinement.user = user_;
         confinement.cgroup = cgroup_.folder();
         confinement.limits.cpuSeconds = limits_.buildSeconds;
         confinement.limits.memoryMib = kCompilerMemoryMib;
+        confinement.limits.fileMib = kLargestObjectMib;
         const auto begun = std::chrono::steady_clock::now();
         // Its own limit is on processor time: a crowded machine makes the clock no judge of code.
         ProcessResult result =
@@ -267,6 +287,8 @@ private:
             wasKilled(result) && judge::interventionsIn(cgroup_.folder()).memory > 0;
         if (ranOutOfMemory(result.output) || endedByKernel)
             return fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib);
+        if (result.output.find("File size limit exceeded signal terminated") != std::string::npos)
+            return fmt::format("wrote more than {} MiB", kLargestObjectMib);
         // No process uses up its seconds before they have passed.
         constexpr double kNearly = 0.9;
         if (result.timedOut || (wasKilled(result) && took > kNearly * limits_.buildSeconds))

@@ -68,11 +68,33 @@ private:
         add(name, Role::own, "starter", root_ / "assignments" / manifest_.id / name);
     }
 
-    void addInherited(const std::string& name, const std::string& from) {
+    /// Where the submission has an inherited file.
+    std::optional<fs::path> inheritedAt(const std::string& name, const std::string& from) const {
         for (const std::string& id : {manifest_.id, from}) {
             const fs::path path = submission_.folderFor(id, manifest_.id) / name;
             if (fs::exists(fs::symlink_status(path)))
-                return add(name, Role::inherited, "submission", path);
+                return path;
+        }
+        return std::nullopt;
+    }
+
+    /// The source without which an inherited header is not used; empty where there is none.
+    std::string sourceMissingFor(const std::string& header) const {
+        for (const auto& [name, from] : manifest_.inherits)
+            if (goesWith(manifest_, header, name) && !inheritedAt(name, from))
+                return name;
+        return "";
+    }
+
+    void addInherited(const std::string& name, const std::string& from) {
+        if (isHeader(name))
+            result_.stage.coursesHeaders.push_back(substituteFor(root_, manifest_, name));
+        if (const auto path = inheritedAt(name, from)) {
+            const std::string missing = sourceMissingFor(name);
+            if (missing.empty())
+                return add(name, Role::inherited, "submission", *path);
+            result_.notices.push_back(
+                fmt::format("{} of {} is not used without {}", name, from, missing));
         }
         StagedFile substitute = substituteFor(root_, manifest_, name);
         if (const auto tasks = tasksIn(manifest_, substitute.content); !tasks.empty())
@@ -228,6 +250,16 @@ std::map<std::string, fs::path> handedIn(const Manifest& manifest) {
         if (sources.contains(from))
             all.emplace(name, assignments / from / name);
     return all;
+}
+
+bool isHeader(const std::string& name) {
+    const std::string kind = fs::path(name).extension().string();
+    return kind == ".h" || kind == ".hpp" || kind == ".inl";
+}
+
+bool goesWith(const Manifest& manifest, const std::string& header, const std::string& source) {
+    return isHeader(header) && source.ends_with(".cpp") &&
+           manifest.inherits.at(header) == manifest.inherits.at(source);
 }
 
 StagedFile substituteFor(const fs::path& root, const Manifest& manifest, const std::string& name) {

@@ -44,6 +44,9 @@ struct StagedFile {
 /// A clean copy of the assignment with the submission's files laid over it.
 struct Stage {
     std::vector<StagedFile> files;
+    /// Inherited headers as the course has them. A solution that stands in for an inherited file is
+    /// compiled with these and what is provided: no text of the submission's ever sees it.
+    std::vector<StagedFile> coursesHeaders;
 
     StagedFile* find(const std::string& name);
     const StagedFile* find(const std::string& name) const;
@@ -70,12 +73,19 @@ std::map<std::string, fs::path> handedIn(const Manifest& manifest);
 /// no solutions.
 StagedFile substituteFor(const fs::path& root, const Manifest& manifest, const std::string& name);
 
+bool isHeader(const std::string& name);
+
+/// Whether the solution or the starter takes this inherited file's place when it takes that of
+/// `source`: headers go with their assignment's sources, or classes would not fit.
+bool goesWith(const Manifest& manifest, const std::string& header, const std::string& source);
+
 /// Takes the files that the manifest lists and nothing else.
 ///
 /// A missing file is named and replaced by the starter's. An inherited file is looked up in the
 /// submission's folder for this assignment, in its folder for the named one, and replaced by
-/// substituteFor() where it is in neither. A byte-order mark and carriage returns are taken out; a
-/// file that is not UTF-8 or cannot be read is reported in `unreadable`.
+/// substituteFor() where it is in neither; so are the headers of a source that is. A byte-order
+/// mark and carriage returns are taken out; a file that is not UTF-8 or cannot be read is reported
+/// in `unreadable`.
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);
 
 }  // namespace grader

@@ -30,6 +30,8 @@ std::optional<std::string> ObjectCache::fetch(const std::string& key,
 
 void ObjectCache::store(const std::string& key, const fs::path& made,
                         const std::string& log) const {
+    if (fs::file_size(made) > kLargestEntry)
+        return;
     const fs::path entry = folder_ / key;
     const std::string object = readFile(made);
     try {

@@ -10,10 +10,11 @@ namespace grader {
 /// What the compiler made, kept under the hash of everything that went into it.
 ///
 /// Only successful results are kept, with what the compiler said. The kMostEntries that were used
-/// last stay.
+/// last stay, none of them larger than kLargestEntry.
 class ObjectCache {
 public:
     static constexpr std::size_t kMostEntries = 400;
+    static constexpr std::uintmax_t kLargestEntry = 16u << 20;  // bytes
 
     explicit ObjectCache(fs::path folder) : folder_(std::move(folder)) {}
 

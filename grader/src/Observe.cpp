@@ -8,6 +8,7 @@
 #include "Error.h"
 #include "Fields.h"
 #include "Process.h"
+#include "References.h"
 #include "TimeBox.h"
 #include "subject/Subject.h"
 
@@ -44,6 +45,17 @@ judge::KernelLimits toldOf(const Manifest& manifest, const Cgroup& cgroup) {
 bool drawsOnTheCpu(const std::string& renderer) {
     return renderer.find("llvmpipe") != std::string::npos ||
            renderer.find("softpipe") != std::string::npos;
+}
+
+/// What a frame is drawn from where it has random parts. The submission's process gets to know it:
+/// a secret seed, from which the tests' inputs follow, must not be told by it.
+std::uint64_t frameSeed(const std::string& assignment, const std::string& frame,
+                        std::uint64_t seed) {
+    if (seed == kPublishedSeed)
+        return seed;
+    constexpr std::size_t kDigits = 15;
+    const std::string hash = sha256(fmt::format("{} {} {}", seed, assignment, frame));
+    return std::stoull(hash.substr(0, kDigits), nullptr, 16);
 }
 
 /// What draws; or why it cannot draw frames for grading.
@@ -160,7 +172,9 @@ std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const Buil
                                         "--call-ms",
                                         fmt::format("{:.0f}", manifest.limits.callSeconds * 1000),
                                         "--output-kib",
-                                        std::to_string(manifest.limits.outputKib)};
+                                        std::to_string(manifest.limits.outputKib),
+                                        "--patience",
+                                        fmt::format("{:.0f}", 0.8 * kJudgeSeconds)};
     const Cgroup cgroup(limitsOf(manifest));
     if (const auto told = toldOf(manifest, cgroup); !told.cgroup.empty())
         command.insert(command.end(),
@@ -245,7 +259,6 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
         return frames;
     }
     request.kind = protocol::RequestKind::frame;
-    request.seed = seed;
     int late = 0;
     std::set<std::string> lateTasks;
     for (const Frame& frame : manifest.frames) {
@@ -262,6 +275,7 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
             continue;
         }
         request.name = frame.id;
+        request.seed = frameSeed(manifest.id, frame.id, seed);
         request.width = frame.width;
         request.height = frame.height;
         protocol::Answer answer = subject->ask(request);

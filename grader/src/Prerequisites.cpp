@@ -76,6 +76,9 @@ private:
                 fmt::format("{} of {} does not compile (line {}: {}): the {} took its place{}",
                             name, manifest_.inherits.at(name), error->line, error->message,
                             file.origin == "solutions" ? "solution's" : "starter's", lost));
+            for (StagedFile& other : stage_.files)
+                if (other.role == Role::inherited && goesWith(manifest_, other.name, name))
+                    other = substituteFor(root_, manifest_, other.name);
         }
         graded_ = grader_.gradeStage(manifest_, stage_, seed_);
     }
@@ -84,7 +87,7 @@ private:
         std::map<std::vector<std::string>, std::set<std::string>> lost;
         for (const CheckResult& check : graded_.checks)
             if (const auto& needs = manifest_.task(check.task)->needs;
-                !check.full() && !needs.empty() && !isBlank(check))
+                isLost(check) && !needs.empty() && !isBlank(check))
                 lost[needs].insert(check.task);
         return lost;
     }
@@ -104,6 +107,11 @@ private:
             keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost, replaced);
         if (solutionsMissing)
             skipWhatRestsOnLostTasks(lost);
+    }
+
+    /// A fault of the grader's tells nothing of the submission.
+    static bool isLost(const CheckResult& check) {
+        return !check.full() && check.status != Status::graderError;
     }
 
     /// Its own region is unfilled: no prerequisite can change that.
@@ -131,10 +139,13 @@ private:
             std::optional<std::string> better;
             if (regions.contains(need.task))
                 better = withRegion(file.content, need.task, regions.at(need.task));
-            if (!better && need.assignment != manifest_.id)
+            const bool whole = !better && need.assignment != manifest_.id;
+            if (whole)
                 better = text;
             if (better && *better != file.content) {
                 file.content = *better;
+                if (whole)
+                    file.origin = "solutions";  // nothing in it is the submission's
                 changed = true;
             }
         }
@@ -146,7 +157,7 @@ private:
         std::set<std::string>& gained = gainedBy_[fmt::format("{}", fmt::join(replaced, ", "))];
         for (CheckResult& check : graded_.checks)
             for (CheckResult& other : again.checks) {
-                if (!lost.contains(check.task) || other.id != check.id)
+                if (!lost.contains(check.task) || other.id != check.id || !isLost(check))
                     continue;
                 if (other.status == Status::graderError) {
                     check = std::move(other);  // nobody knows what it would have earned
@@ -154,7 +165,7 @@ private:
                 }
                 // What a mistake is recognised by must not be blurred by one in what it needs.
                 check.evidence = other.evidence;
-                if (other.points > check.points || (other.full() && !check.full())) {
+                if (other.points > check.points || other.full()) {
                     gained.insert(check.task);
                     check = std::move(other);
                 }
@@ -177,7 +188,7 @@ private:
                 if (holds(parseNeed(text, manifest_)))
                     continue;
                 for (CheckResult& check : graded_.checks)
-                    if (check.task == id && !check.full() && check.points == 0 &&
+                    if (check.task == id && isLost(check) && check.points == 0 &&
                         check.status != Status::notImplemented) {
                         check.status = Status::skipped;
                         check.message =
@@ -201,7 +212,7 @@ private:
             checks = grader_.gradeStage(other, stage, seed_).checks;
         }
         return std::all_of(checks.begin(), checks.end(), [&](const CheckResult& check) {
-            return check.task != need.task || check.full();
+            return check.task != need.task || !isLost(check);
         });
     }
 

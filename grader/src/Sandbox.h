@@ -78,7 +78,8 @@ bool runsInCi();
 
 /// The user that the programs of one job run as when the grader was started by root: one without a
 /// name, whom no other job on this machine has at the same time, so that the limits and files of
-/// neighbours are apart. Otherwise the grader's own. Throws Error when all are taken.
+/// neighbours are apart. Otherwise the grader's own. Whatever of that user still runs at the end is
+/// killed, before another job may get it. Throws Error when all are taken.
 class JobUser {
 public:
     JobUser();

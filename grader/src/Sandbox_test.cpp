@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -192,6 +194,27 @@ TEST(JobUsers, OfTwoJobsAreTwo) {
     }
     EXPECT_NE(one.id(), other.id());
     EXPECT_NE(one.id(), 0u);
+}
+
+TEST(JobUsers, NothingOfOneOutlivesItsJob) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root has others to give";
+    pid_t survivor = 0;
+    {
+        const JobUser user;
+        survivor = fork();
+        if (survivor == 0) {
+            setsid();
+            if (setresuid(user.id(), user.id(), user.id()) == 0)
+                sleep(1000);
+            _exit(0);
+        }
+        usleep(50000);
+        EXPECT_EQ(waitpid(survivor, nullptr, WNOHANG), 0) << "it should run";
+    }
+    int status = 0;
+    EXPECT_EQ(waitpid(survivor, &status, 0), survivor);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
 }
 
 TEST_P(Confined, DangerousSystemCallsAreRefused) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -133,11 +134,13 @@ int main(int argc, char** argv) {
     CLI::App app("Runs the checks of one assignment in the judge. Started by the grader.");
     std::string resultPath, seedFile;
     std::uint32_t callMs = 2000, outputKib = 64;
+    double patience = std::numeric_limits<double>::infinity();
     std::vector<std::string> runnerCommand;
     judge::KernelLimits limits;
     app.add_option("--result", resultPath, "write the outcome of each check to this file");
     app.add_option("--seed-file", seedFile, "holds the seed of random inputs; default 1");
     app.add_option("--call-ms", callMs, "time limit of one call, milliseconds");
+    app.add_option("--patience", patience, "time for all calls together, seconds; default no end");
     app.add_option("--output-kib", outputKib, "what one call may print, KiB");
     app.add_option("--cgroup", limits.cgroup, "folder of the cgroup that the runner enters");
     app.add_option("--memory-mib", limits.memoryMib,
@@ -153,6 +156,7 @@ int main(int argc, char** argv) {
     judge::theSubject = judge::makeSubject(runnerCommand, limits);
     judge::observe(judge::subject());
     judge::subject().callTimeoutMs = callMs;
+    judge::subject().patienceSeconds = patience;
     judge::subject().outputBytes = outputKib * 1024;
 
     auto& listeners = testing::UnitTest::GetInstance()->listeners();

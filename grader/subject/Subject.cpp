@@ -1,8 +1,25 @@
 #include "subject/Subject.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace judge {
+
+protocol::Answer Subject::ask(const protocol::Request& request) {
+    protocol::Answer answer;
+    if (spentSeconds_ < patienceSeconds) {
+        const auto begun = std::chrono::steady_clock::now();
+        answer = answerTo(request);
+        spentSeconds_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    } else {
+        answer.outcome = protocol::Outcome::faulty;
+        answer.detail = "the calls before it took " + std::to_string(int(spentSeconds_)) +
+                        " s together, which is more than all may take";
+    }
+    onAnswer(request, answer);
+    return answer;
+}
 
 void Subject::giveUp(const Verdict& why) {
     onFailure(why);

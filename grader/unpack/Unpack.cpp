@@ -101,13 +101,14 @@ private:
         if (archive_entry_is_encrypted(entry))
             throw Refusal("it is encrypted: hand in an archive without a password");
         const fs::path path = fs::path(name).lexically_normal();
-        if (path == ".")
-            return;  // what tar calls the folder that was packed
         switch (archive_entry_filetype(entry)) {
             case AE_IFDIR:
-                makeFolder(path, name);
+                if (path != ".")  // what tar calls the folder that was packed
+                    makeFolder(path, name);
                 return;
             case AE_IFREG:
+                if (path == ".")
+                    throw Refusal(shown(name) + " is no name for a file");
                 write(path, name);
                 return;
             default:

@@ -27,7 +27,8 @@ part=${SLURM_ARRAY_TASK_ID:?this is started by sbatch --array}
 parts=${SLURM_ARRAY_TASK_MAX:?this is started by sbatch --array}
 
 mkdir -p "$out"
+export COURSE_SEED=$seed  # others can read a command line
 # A signal before the time is up reaches the grader, which ends what it has begun and writes it down.
 exec "$course/build/release/grader/grader" batch "$submissions" --assignment "$assignment" \
-    --out "$out/part-$part" --seed "$seed" --shard "$part/$parts" \
+    --out "$out/part-$part" --shard "$part/$parts" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" "$@"

@@ -14,8 +14,8 @@ bool startsCharacter(char byte) {
 }
 
 bool steers(const std::string& sign) {
-    static const char* turning[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
-                                    "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
+    static const char* turning[] = {"\u061C", "\u200E", "\u200F", "\u202A", "\u202B", "\u202C",
+                                    "\u202D", "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
     const auto first = static_cast<unsigned char>(sign[0]);
     return first < 32 || first == 127 ||
            (first == 0xC2 && static_cast<unsigned char>(sign[1]) < 0xA0) ||
