@@ -11,8 +11,8 @@ namespace grader {
 Picture readPicture(const fs::path& path);
 void writePicture(const fs::path& path, const Picture& picture);
 
-/// The same by way of a cache of decoded pictures in `cacheFolder`, which needs no library when
-/// the file has been read before.
+/// The same picture, without its `broken`, by way of a cache of decoded pictures in `cacheFolder`,
+/// which needs no library when the file has been read before.
 Picture readPictureCached(const fs::path& path, const fs::path& cacheFolder);
 
 }  // namespace grader

@@ -49,7 +49,7 @@ public:
             }
             award(check, score, kept);
             markUnimplemented(manifest_, check);
-            if (frame_.features.empty() && frame_.points == 0 && check.status == Status::fail)
+            if (!isScored() && check.status == Status::fail)
                 check.status = Status::pass;  // the unfilled region belongs to another task
             if (check.full()) {
                 check.message.clear();
@@ -65,8 +65,13 @@ public:
     }
 
 private:
+    /// A frame without points is shown only, and must not take the one charge for a fault.
+    bool isScored() const { return frame_.points > 0 || !frame_.features.empty(); }
+
     double shareKept(const FrameScore& score) {
-        return score.fault && charged_.insert(score.fault->id).second ? 1 - kFaultCharge : 1.0;
+        return score.fault && isScored() && charged_.insert(score.fault->id).second
+                   ? 1 - kFaultCharge
+                   : 1.0;
     }
 
     void award(CheckResult& check, const FrameScore& score, double kept) {

@@ -188,6 +188,13 @@ double AssignmentResult::maxPoints() const {
     return sum;
 }
 
+double AssignmentResult::automaticPoints() const {
+    double sum = 0;
+    for (const TaskResult& task : tasks)
+        sum += task.status == Status::pending ? 0 : task.maxPoints;
+    return sum;
+}
+
 bool AssignmentResult::full() const {
     return status == "graded" && std::all_of(tasks.begin(), tasks.end(), [](const auto& task) {
                return task.status == Status::pass || task.status == Status::pending;

@@ -87,6 +87,7 @@ struct AssignmentResult {
 
     double points() const;
     double maxPoints() const;
+    double automaticPoints() const;  ///< the most that it can have before a person has looked
     bool full() const;
     bool notStarted() const;  ///< every check is not implemented
     bool graderFailed() const;

@@ -93,24 +93,14 @@ std::string PseudoTerminal::untilSilent(double seconds) {
     return std::exchange(unread_, "");
 }
 
-int PseudoTerminal::waitForStatus(int options, double seconds, const char* complaint) {
+int PseudoTerminal::waitForEnd(double seconds) {
     const auto end = in(seconds);
     int status = 0;
-    while (waitpid(pid_, &status, WNOHANG | options) == 0) {
+    while (waitpid(pid_, &status, WNOHANG) == 0) {
         if (msUntil(end) == 0)
-            throw std::runtime_error(complaint);
+            throw std::runtime_error("the program did not end");
         readSome(10);
     }
-    return status;
-}
-
-void PseudoTerminal::waitUntilStopped(double seconds) {
-    if (!WIFSTOPPED(waitForStatus(WUNTRACED, seconds, "the program was not stopped")))
-        throw std::runtime_error("the program ended in place of being stopped");
-}
-
-int PseudoTerminal::waitForEnd(double seconds) {
-    const int status = waitForStatus(0, seconds, "the program did not end");
     pid_ = -1;
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }

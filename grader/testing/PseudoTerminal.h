@@ -26,9 +26,6 @@ public:
     /// Waits until nothing has been written for so long; returns what was, since the last wait.
     std::string untilSilent(double seconds);
 
-    /// Waits until Ctrl-Z, or whoever else can, has stopped it.
-    void waitUntilStopped(double seconds = 60);
-
     /// Waits for the end. The exit code; minus the signal that ended it.
     int waitForEnd(double seconds = 60);
 
@@ -39,7 +36,6 @@ public:
 
 private:
     bool readSome(int timeoutMs);
-    int waitForStatus(int options, double seconds, const char* complaint);
 
     pid_t pid_ = -1;
     int terminal_ = -1;

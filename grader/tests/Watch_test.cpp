@@ -40,6 +40,14 @@ protected:
         return all;
     }
 
+    /// The same below a shell with job control.
+    std::vector<std::string> inAShell(const std::string& script) const {
+        std::vector<std::string> all = {"bash", "-c", "set -m; " + script, "bash"};
+        const auto watch = command("06-rotation");
+        all.insert(all.end(), watch.begin(), watch.end());
+        return all;
+    }
+
     /// The text of a solved file with another body in one of its regions.
     std::string with(const std::string& name, const std::string& region,
                      const std::string& body) const {
@@ -227,17 +235,42 @@ TEST_F(Watch, CtrlCAmidAGradingLeavesNothing) {
 }
 
 TEST_F(Watch, StoppedItGivesTheTerminalBackAndGoesOnLater) {
-    PseudoTerminal terminal(command("06-rotation"));
+    PseudoTerminal terminal(inAShell("\"$@\"; echo stopped; read; fg"));
     terminal.waitFor(kWaiting);
     terminal.type("\032");  // Ctrl-Z
-    terminal.waitUntilStopped();
+    terminal.waitFor("stopped");
     EXPECT_TRUE(terminal.isAsBefore());
-    kill(terminal.pid(), SIGCONT);
+    terminal.type("\n");
     terminal.waitFor(kWaiting);
     EXPECT_FALSE(terminal.isAsBefore());
     terminal.type("q");
     EXPECT_EQ(terminal.waitForEnd(), 0);
     EXPECT_TRUE(terminal.isAsBefore());
+}
+
+TEST_F(Watch, OutOfTheBackgroundItReadsKeysAgain) {
+    PseudoTerminal terminal(inAShell("\"$@\"; echo stopped; read; bg; read; fg"));
+    terminal.waitFor(kWaiting);
+    terminal.type("\032");
+    terminal.waitFor("stopped");
+    terminal.type("\n");
+    terminal.waitFor(kWaiting);
+    EXPECT_TRUE(terminal.isAsBefore()) << "the terminal is the shell's";
+    terminal.type("\n");
+    for (int i = 0; i < 1000 && terminal.isAsBefore(); ++i)
+        wait(10);
+    EXPECT_FALSE(terminal.isAsBefore());
+    terminal.type("q");
+    EXPECT_EQ(terminal.waitForEnd(), 0);
+}
+
+TEST_F(Watch, WhereNobodyCouldLetItGoOnItIsNotStopped) {
+    PseudoTerminal terminal(command("06-rotation"));  // no shell above it
+    terminal.waitFor(kWaiting);
+    terminal.type("\032");
+    terminal.waitFor(kWaiting);
+    terminal.type("q");
+    EXPECT_EQ(terminal.waitForEnd(), 0);
 }
 
 TEST_F(Watch, InAPipeThereAreLinesAndNoKeys) {

@@ -146,8 +146,8 @@ std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) con
     if (found->wording != key.wording) {
         try {
             found->result = markAgain(entrant.name, std::move(found->result));
-        } catch (const Json::exception&) {
-            return std::nullopt;  // something of it is not there any more
+        } catch (const std::exception&) {
+            return std::nullopt;  // something of it, or one of its pictures, is not there any more
         }
         ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
     }

@@ -10,10 +10,12 @@ namespace grader {
 namespace {
 
 std::vector<Print> printsIn(const fs::path& folder, const std::string& assignment) {
-    if (!fs::exists(folder / "batch.json"))
-        throw Error("{} is not what ./grade batch wrote to its --out: it has no batch.json",
-                    folder.string());
-    const std::string found = parseJsonFile((folder / "batch.json").string()).at("assignment");
+    const fs::path results = folder / "results.json";
+    if (!fs::exists(results))
+        throw Error(
+            "{} is not what ./grade batch or merge wrote to its --out: it has no results.json",
+            folder.string());
+    const std::string found = parseJsonFile(results.string()).at("assignment");
     if (found != assignment)
         throw Error("{} holds results of {}, which are not compared with those of {}",
                     folder.string(), found, assignment);

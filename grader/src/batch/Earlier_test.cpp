@@ -25,7 +25,7 @@ Print printOf(const std::string& name, std::uint64_t from) {
 class EarlierTest : public testing::Test {
 protected:
     EarlierTest() {
-        tree_.write("old/batch.json", R"({"format": 1, "assignment": "06-rotation", "seed": 1})");
+        tree_.write("old/results.json", R"({"format": 1, "assignment": "06-rotation", "seed": 1})");
         for (const auto& [name, from] : {std::pair("ann", 100), {"bob", 100}, {"cy", 200}})
             Ledger(tree_ / "old").keepPrint(printOf(name, std::uint64_t(from)));
         Ledger(tree_ / "new").keepPrint(printOf("ann", 200));
@@ -54,10 +54,10 @@ TEST_F(EarlierTest, OnlyPairsWithSomebodyOfTodayAreSaid) {
 }
 
 TEST_F(EarlierTest, RefusesWhatIsNoBatchOfTheAssignment) {
-    EXPECT_THAT(refusal("new"), HasSubstr("it has no batch.json"));
-    tree_.write("other/batch.json", R"({"format": 1, "assignment": "07-camera", "seed": 1})");
+    EXPECT_THAT(refusal("new"), HasSubstr("it has no results.json"));
+    tree_.write("other/results.json", R"({"format": 1, "assignment": "07-camera", "seed": 1})");
     EXPECT_THAT(refusal("other"), HasSubstr("holds results of 07-camera"));
-    tree_.write("empty/batch.json", R"({"format": 1, "assignment": "06-rotation", "seed": 1})");
+    tree_.write("empty/results.json", R"({"format": 1, "assignment": "06-rotation", "seed": 1})");
     EXPECT_THAT(refusal("empty"), HasSubstr("no submission to compare with"));
 }
 

@@ -19,9 +19,9 @@ struct Filled {
     std::vector<std::string> remarks;  ///< students that are not in it, marks that may not change
 };
 
-/// Fills a gradebook that Canvas exported: the column of the assignment, or the one that has the
-/// assignment's title in its name. Where Canvas counts another number of points than we do, marks
-/// are scaled, and that is said. Throws Error for a file that is no such table.
+/// Fills a gradebook that Canvas exported: the column of that name, or the one that has it in its
+/// name. Where Canvas counts another number of points than we do, marks are scaled, and that is
+/// said. Throws Error for a file that is no such table.
 Filled fillCanvas(CsvTable table, const std::string& column, const std::vector<Line>& lines);
 
 /// Fills an offline grading worksheet that Moodle exported: grade and feedback. Participants are

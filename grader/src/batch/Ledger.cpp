@@ -26,7 +26,8 @@ std::optional<Ledger::Known> Ledger::known(const std::string& entrant, const Key
 
 void Ledger::begin(const std::string& entrant) const {
     std::error_code none;
-    fs::remove(folderOf(entrant) / "key", none);
+    for (const char* each : {"key", "result.json", "report.txt"})
+        fs::remove(folderOf(entrant) / each, none);
     fs::remove_all(folderOf(entrant) / "report", none);
     fs::remove_all(instructorFolderOf(entrant), none);
     fs::create_directories(folderOf(entrant));

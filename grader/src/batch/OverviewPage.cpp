@@ -207,7 +207,8 @@ private:
                 continue;
             totals.push_back(mark.points / std::max(1.0, mark.maxPoints));
             for (const TaskMark& task : mark.tasks)
-                tasks[task.id].push_back(task.points / std::max(1e-9, task.maxPoints));
+                if (!task.pending)
+                    tasks[task.id].push_back(task.points / std::max(1e-9, task.maxPoints));
         }
         figures = histogram("all together", totals);
         for (const Task& task : all_.manifest.tasks)
@@ -239,7 +240,7 @@ private:
         // What did not build lost all of them, which says nothing of any.
         std::map<std::string, std::size_t> lost;
         forEachCheck(marks_, [&](const Mark& mark, const Essence::Check& check) {
-            if (mark.status == "graded" && check.status != "pass")
+            if (mark.status == "graded" && check.status != "pass" && check.status != "pending")
                 ++lost[fmt::format("{}: {}", check.id, check.title)];
         });
         return "<h2 id=checks>Checks that most lost</h2>\n" + ranking(lost);

@@ -301,8 +301,10 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
     command->add_option("--jobs", options.jobs, "submissions at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->add_option("--seed", options.seed,
-                        "seed of random inputs; default a secret one, the same for all");
+    command
+        ->add_option("--seed", options.seed,
+                     "seed of random inputs; default a secret one, the same for all")
+        ->envname("COURSE_SEED");
     command
         ->add_option_function<std::string>(
             "--shard", [](const std::string& text) { options.shard = Shard(text); },

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <iostream>
+#include <map>
 
 #include "Error.h"
 #include "batch/Gradebook.h"
@@ -28,11 +29,12 @@ std::string pendingIn(const Json& student) {
 
 /// What `grade batch` wrote, read back.
 struct Batch {
+    fs::path folder;
     std::string assignment;
-    std::vector<Json> students;         ///< that have a mark
-    std::vector<std::string> unmarked;  ///< the others, with the reason
+    std::vector<Json> students;                   ///< that have a mark
+    std::map<std::string, std::string> unmarked;  ///< the others, with a sentence on the reason
 
-    explicit Batch(const fs::path& folder) {
+    explicit Batch(const fs::path& from) : folder(from) {
         const fs::path file = folder / "results.json";
         if (!fs::exists(file))
             throw Error("{} is not there: give the folder that ./grade batch --out wrote",
@@ -40,25 +42,26 @@ struct Batch {
         const Json document = parseJsonFile(file.string());
         assignment = document.at("assignment");
         for (const Json& each : document.at("students")) {
-            const std::string status = each.at("status");
+            const std::string status = each.at("status"), student = each.at("student");
             const std::string pending = pendingIn(each);
             if (!pending.empty())
-                unmarked.push_back(
-                    fmt::format("{} has no mark yet: {} is pending, give its points in a table of "
-                                "--overrides",
-                                each.at("student").get<std::string>(), pending));
+                unmarked[student] = fmt::format(
+                    "{} has no mark yet: {} is pending, give its points in a table of --overrides",
+                    student, pending);
             else if (each.at("sentence") == "" && status != "missing")
                 students.push_back(each);
             else
-                unmarked.push_back(fmt::format("{} has no mark ({})",
-                                               each.at("student").get<std::string>(), status));
+                unmarked[student] = fmt::format("{} has no mark ({})", student, status);
         }
     }
 };
 
-Scored scoredOf(const Json& student, const fs::path& folder) {
+/// A student whose points are decisions alone has no result document: nothing was handed in, or it
+/// could not be graded.
+Scored scoredOf(const Batch& batch, const Json& student) {
     const std::string submission = student.at("submission");
-    const fs::path home = folder / "students" / submission;
+    const fs::path home = batch.folder / "students" / submission, result = home / "result.json";
+    const bool graded = !submission.empty() && fs::exists(result);
     std::map<std::string, double> tasks;
     for (const Json& task : student.at("tasks"))
         tasks[task.at("id")] = task.at("points");
@@ -67,7 +70,7 @@ Scored scoredOf(const Json& student, const fs::path& folder) {
             student.at("max_points"),
             std::move(tasks),
             student.at("remarks"),
-            submission.empty() ? Json() : parseJsonFile((home / "result.json").string()),
+            graded ? parseJsonFile(result.string()) : Json{{"assignment", batch.assignment}},
             home / "report"};
 }
 
@@ -125,47 +128,50 @@ void fill(const Options& options, const Batch& batch, const fs::path& file) {
 }
 
 /// A file for each student.
-void writeEach(const Batch& batch, const fs::path& folder, const fs::path& out,
-               const std::string& ending, const std::function<std::string(const Scored&)>& format) {
-    for (const Json& each : batch.students) {
-        std::string name = each.at("student");
-        std::replace(name.begin(), name.end(), '/', '_');
-        writeFile(out / (name + ending), format(scoredOf(each, folder)));
-    }
+void writeEach(const Batch& batch, const fs::path& out, const std::string& ending,
+               const std::function<std::string(const Scored&)>& format) {
+    const auto fileOf = [&](std::string student) {
+        std::replace(student.begin(), student.end(), '/', '_');
+        return out / (student + ending);
+    };
+    for (const Json& each : batch.students)
+        writeFile(fileOf(each.at("student")), format(scoredOf(batch, each)));
+    for (const auto& [student, reason] : batch.unmarked)
+        fs::remove(fileOf(student));  // of an earlier export
     written(out, batch.students.size());
 }
 
 void exportBatch(const Options& options) {
-    const fs::path folder = options.folder;
-    const Batch batch(folder);
+    const Batch batch(options.folder);
     const auto target = [&](const std::string& name) {
-        return options.output.empty() ? folder / "export" / name : fs::path(options.output);
+        return options.output.empty() ? batch.folder / "export" / name : fs::path(options.output);
     };
     if (options.to == "canvas" || options.to == "moodle") {
         fill(options, batch, target(options.to + ".csv"));
     } else if (options.to == "gradescope") {
-        writeEach(batch, folder, target("gradescope"), ".json", gradescopeResult);
+        writeEach(batch, target("gradescope"), ".json", gradescopeResult);
     } else if (options.to == "prairielearn") {
-        writeEach(batch, folder, target("prairielearn"), ".json", prairieLearnResult);
+        writeEach(batch, target("prairielearn"), ".json", prairieLearnResult);
     } else if (options.to == "classroom50") {
         const Classroom classroom{options.classroom,
                                   toString(std::chrono::time_point_cast<std::chrono::seconds>(
                                       std::chrono::system_clock::now()))};
-        writeEach(batch, folder, target("classroom50"), ".json",
+        writeEach(batch, target("classroom50"), ".json",
                   [&](const Scored& scored) { return classroom50Result(scored, classroom); });
     } else if (options.to == "autolab") {
-        writeEach(batch, folder, target("autolab"), ".txt", autolabLine);
+        writeEach(batch, target("autolab"), ".txt", autolabLine);
     } else if (options.to == "junit") {
         std::vector<Scored> all;
         for (const Json& each : batch.students)
-            all.push_back(scoredOf(each, folder));
+            all.push_back(scoredOf(batch, each));
         writeFile(target("junit.xml"), junitXml(batch.assignment, all));
         written(target("junit.xml"), all.size());
     } else {
         writeFile(target("marks.csv"), tableOf(linesOf(batch)));
         written(target("marks.csv"), batch.students.size());
     }
-    say(batch.unmarked);
+    for (const auto& [student, reason] : batch.unmarked)
+        say({reason});
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TerminalStyle styleFor(const Options& options, bool quiet) {
 
 void showInBrowser(const fs::path& page) {
     if (!openInBrowser(page))
-        std::cout << "No browser could be opened (xdg-open). Open this file yourself:\n  "
+        std::cerr << "No browser could be opened (xdg-open). Open this file yourself:\n  "
                   << page.string() << "\n";
 }
 

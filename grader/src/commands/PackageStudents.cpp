@@ -24,8 +24,13 @@ int packageStudents(const Options& options) {
         writeArchive(copy, out);
     else
         writeTree(copy, out);
-    std::cout << fmt::format("{}: {} files of commit {}, no solution among them\n", options.out,
-                             copy.files.size(), copy.commit.substr(0, 12));
+    const auto& solved = options.wish.withSolutions;
+    std::cout << fmt::format("{}: {} files of commit {}, {}\n", options.out, copy.files.size(),
+                             copy.commit.substr(0, 12),
+                             solved.empty() ? "no solution among them"
+                                            : fmt::format("with the solutions of {} in the "
+                                                          "starters' places",
+                                                          fmt::join(solved, ", ")));
     return kFullMarks;
 }
 

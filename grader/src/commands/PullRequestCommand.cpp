@@ -68,7 +68,7 @@ std::string outputsOf(const PullRequestResult& graded) {
     double points = 0, most = 0;
     for (const AssignmentResult& each : graded.results) {
         points += each.points();
-        most += each.maxPoints();
+        most += each.automaticPoints();
     }
     return fmt::format("points={:.4g}\nmax-points={:.4g}\npassed={}\n", points, most,
                        graded.passed() && !graded.graderFailed());

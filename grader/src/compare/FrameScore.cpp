@@ -102,9 +102,10 @@ private:
                       std::optional<Displacement>* displacement) const;
     void scoreWhole(FrameScore& result, const Map& tolerant, const Looked& frame) const;
     void scoreFeatures(FrameScore& result, const Map& tolerant, const Looked& frame) const;
+    /// Where the reference has soft steps only, no frame is less sharp.
     double sharpnessShare(const Looked& frame) const {
-        return clamped(frame.boundaries.sharpness /
-                       (kSharpEnough * reference_->boundaries.sharpness));
+        const double enough = kSharpEnough * reference_->boundaries.sharpness;
+        return enough > 0 ? clamped(frame.boundaries.sharpness / enough) : 1.0;
     }
 
     std::once_flag once_;

@@ -64,7 +64,7 @@ std::string whyNoNamespaces() {
     if (firstLineOf("/proc/sys/user/max_user_namespaces") == "0")
         return "sysctl -w user.max_user_namespaces=10000";
     return "in a container, allow user namespaces: docker run --security-opt seccomp=unconfined "
-           "--security-opt systempaths=unconfined";
+           "--security-opt systempaths=unconfined --security-opt apparmor=unconfined";
 }
 
 Confession confess(const Toolchain& tools, const Sandbox& sandbox) {
@@ -103,7 +103,10 @@ std::string cpuFlags() {
 
 std::string clockState() {
     timex state{};
-    return adjtimex(&state) == TIME_ERROR || (state.status & STA_UNSYNC) != 0
+    const int answer = adjtimex(&state);
+    if (answer < 0)
+        return "unknown: the system refuses to tell";
+    return answer == TIME_ERROR || (state.status & STA_UNSYNC) != 0
                ? "not synchronised: deadlines that are compared with it may be off"
                : "synchronised";
 }

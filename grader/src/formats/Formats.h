@@ -15,8 +15,8 @@ struct Scored {
     double points = 0, maxPoints = 0;     ///< after decisions of people and lateness
     std::map<std::string, double> tasks;  ///< id → points, after decisions of people
     std::vector<std::string> remarks;     ///< on those; sentences
-    Json result;                          ///< the result document, grader/RESULT.md; null: no file
-    fs::path report;                      ///< where the pictures of the document are; may be empty
+    Json result;      ///< the result document, grader/RESULT.md; at least `assignment`
+    fs::path report;  ///< where the pictures of the document are; may be empty
 };
 
 /// results.json of a Gradescope autograder, below a megabyte. A check is shown when the manifest

@@ -111,7 +111,8 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
     bool cut = false;
     std::set<std::string> changed;
     for (const Entry& each : differences(request, origin, {}, keysOf(taken), cut))
-        changed.insert(taken.at(each.path));
+        if (const auto at = taken.find(each.path); at != taken.end())
+            changed.insert(at->second);  // else it lies in a folder that took a file's name
     changes.assignments.assign(changed.begin(), changed.end());
 
     for (const Entry& each : differences(request, origin, {"-M"}, {}, changes.unusedCut)) {
@@ -136,7 +137,7 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
 std::vector<std::string> takeFiles(const PullRequest& request, const std::vector<Manifest>& course,
                                    const fs::path& folder) {
     const auto taken = studentPaths(course);
-    std::vector<std::string> command = {"ls-tree", "-r", "-l", "-z", request.head, "--"};
+    std::vector<std::string> command = {"ls-tree", "-l", "-z", request.head, "--"};
     for (const std::string& path : keysOf(taken))
         command.push_back(path);
     const ProcessResult list = git(request.repository, command);

@@ -50,7 +50,7 @@ std::string lossesInCell(const TaskResult& task) {
         cell = "→ " + escapedMarkdown(task.recognised->says) + "<br>";
     std::size_t lost = 0;
     for (const CheckResult& check : task.checks) {
-        if (check.full())
+        if (check.full() || check.status == Status::pending)
             continue;
         if (sameForAll(task))
             return escapedMarkdown(check.message);
@@ -77,8 +77,16 @@ std::string errorSection(const AssignmentResult& result) {
            (hint.empty() ? "" : "\n" + escapedMarkdown(hint) + "\n") + "\n";
 }
 
+/// What a person gives later counts neither way. Sums of thirds may be a little short.
+double pointsToPass(const AssignmentResult& result, double passFrom) {
+    return passFrom / 100 * result.automaticPoints();
+}
+
+bool passes(const AssignmentResult& result, double passFrom) {
+    return result.points() >= pointsToPass(result, passFrom) - 1e-9;
+}
+
 std::string sectionOf(const AssignmentResult& result, double passFrom) {
-    const double needed = passFrom / 100 * result.maxPoints();
     std::string text =
         fmt::format("## {} {}: {}\n\n", result.assignment, escapedMarkdown(result.title),
                     scoreText(result.points(), result.maxPoints()));
@@ -88,8 +96,8 @@ std::string sectionOf(const AssignmentResult& result, double passFrom) {
                "instructor.\n\n";
     text += fmt::format(
         "{} from {} points on.\n\n",
-        result.points() >= needed ? "Passed; the check passes" : "Not passed yet; the check passes",
-        showPoints(needed));
+        passes(result, passFrom) ? "Passed; the check passes" : "Not passed yet; the check passes",
+        showPoints(pointsToPass(result, passFrom)));
     text += errorSection(result);
     text += "| | task | points | what was lost |\n|---|---|---|---|\n";
     for (const TaskResult& task : result.tasks)
@@ -180,9 +188,8 @@ std::string regionProperties(const fs::path& files, const std::string& assignmen
 }  // namespace
 
 bool PullRequestResult::passed() const {
-    return std::all_of(results.begin(), results.end(), [&](const AssignmentResult& each) {
-        return each.points() >= passFrom / 100 * each.maxPoints() - 1e-9;
-    });
+    return std::all_of(results.begin(), results.end(),
+                       [&](const AssignmentResult& each) { return passes(each, passFrom); });
 }
 
 bool PullRequestResult::graderFailed() const {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "report/Html.h"
 #include "report/Words.h"
 
@@ -70,11 +73,17 @@ std::string frameOf(const CheckResult& check, const fs::path& folder) {
            featuresOf(check, folder) + (drawn ? numbersOf(check) : "") + "</div>\n";
 }
 
-/// Whether a message says only what the matrices show better.
+bool isFinite(const std::vector<std::vector<double>>& matrix) {
+    return std::all_of(matrix.begin(), matrix.end(), [](const std::vector<double>& row) {
+        return std::all_of(row.begin(), row.end(), [](double each) { return std::isfinite(each); });
+    });
+}
+
+/// Whether a message says only what the matrices show better. They cannot tell inf from nan.
 bool isShownByMatrices(const CheckResult& check) {
     const std::string got = ", got ";
     const auto at = check.message.find(got);
-    return check.comparison && at != std::string::npos &&
+    return check.comparison && at != std::string::npos && isFinite(check.comparison->got) &&
            check.message.starts_with(check.comparison->what + ": expected ") &&
            check.message.find_first_of("([", at) == at + got.size();
 }

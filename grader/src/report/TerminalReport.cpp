@@ -93,6 +93,8 @@ void writeTask(TerminalWriter& out, const TaskResult& task, bool pictures,
             scoreText(task.points, task.maxPoints), colourOf(task.status));
     if (task.recognised)
         writeRecognised(out, *task.recognised);
+    if (task.checks.empty())
+        return;  // none that may be seen
     if (task.status == Status::notImplemented || task.status == Status::pending) {
         // One sentence serves for all checks when they say the same.
         out.paragraph("      ", task.status == Status::pending ? task.checks.back().message
@@ -116,15 +118,16 @@ std::string terminalReport(const AssignmentResult& result, const TerminalStyle& 
     TerminalWriter out(style);
     const std::string heading = result.assignment + "  " + result.title;
     const std::string score = scoreText(result.points(), result.maxPoints());
-    if (result.notStarted()) {
+    if (result.notStarted())
         out.row(heading + ": not started, begin with " + result.tasks.front().id, score);
-        return out.take();
-    }
-    out.row(heading, score, kBold);
+    else
+        out.row(heading, score, kBold);
     for (const std::string& notice : result.notices)
         out.paragraph("  note: ", notice);
     if (!result.ignoredFiles.empty())
         out.paragraph("  not taken: ", fmt::format("{}", fmt::join(result.ignoredFiles, ", ")));
+    if (result.notStarted())
+        return out.take();
     if (result.status == "build_error") {
         out.paragraph("  ", "The code does not compile, so nothing could be checked:");
         writeDiagnostics(out, result);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
 #include "Error.h"
@@ -26,6 +27,15 @@ Signals::Signals() {
 Signals::~Signals() {
     close(descriptor_);
     sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void Signals::stop() const {
+    sigset_t stops;
+    sigemptyset(&stops);
+    sigaddset(&stops, SIGTSTP);
+    raise(SIGTSTP);
+    sigprocmask(SIG_UNBLOCK, &stops, nullptr);  // here it stops
+    sigprocmask(SIG_BLOCK, &stops, nullptr);
 }
 
 int Signals::take() const {

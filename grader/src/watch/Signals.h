@@ -19,6 +19,9 @@ public:
     /// The next one; 0 when there is none.
     int take() const;
 
+    /// Stops this program as Ctrl-Z does: not where nobody above it could let it go on.
+    void stop() const;
+
 private:
     sigset_t before_{};
     int descriptor_ = -1;

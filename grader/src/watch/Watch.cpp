@@ -190,8 +190,8 @@ private:
                 takePage(message.at("page"));
         if (!grading_->ended())
             return;
-        faulty_ = !grading_->failure().empty();
-        if (faulty_)
+        running_->faulty = !grading_->failure().empty();
+        if (running_->faulty)
             say(fmt::format("grade: {}: {}\n", running_->manifest.id, grading_->failure()));
         grading_.reset();
         abandoned_ = 0;
@@ -268,8 +268,11 @@ private:
             const auto left = lastEvent_ + wait - Clock::now();
             return std::max(1, int(std::chrono::ceil<milliseconds>(left).count()));
         }
-        return fileWatch_.hearsEverything() ? -1 : int(kLookAround.count());
+        return fileWatch_.hearsEverything() && !isInBackground() ? -1 : int(kLookAround.count());
     }
+
+    /// Nobody tells a job that runs already that it is in the foreground again.
+    bool isInBackground() const { return keys_.available() && keys_.descriptor() < 0; }
 
     void waitForSomething() {
         pollfd all[] = {{fileWatch_.descriptor(), POLLIN, 0},
@@ -281,6 +284,8 @@ private:
                                     std::any_of(watched_.begin(), watched_.end(),
                                                 [](const Watched& each) { return each.due; });
         const int ready = poll(all, std::size(all), somethingIsDue ? 0 : timeoutMs());
+        if (isInBackground())
+            keys_.resume();
         const auto has = [&](int which) { return ready > 0 && all[which].revents != 0; };
         if (has(0) && fileWatch_.takeEvents())
             noteChange();
@@ -311,7 +316,7 @@ private:
         }
         clearStatus();
         keys_.suspend();
-        raise(SIGSTOP);
+        signals_.stop();
         keys_.resume();  // before the line that names the keys is drawn
     }
 
@@ -356,7 +361,8 @@ private:
     int exitCode() const {
         bool full = true;
         for (const Watched& each : watched_) {
-            if (faulty_ || (!each.result.is_null() && each.result.at("status") == "grader_error"))
+            if (each.faulty ||
+                (!each.result.is_null() && each.result.at("status") == "grader_error"))
                 return kGraderFailed;
             full = full && each.isFull();
         }
@@ -385,7 +391,6 @@ private:
     std::string toldTask_, status_;
     bool runningIsNews_ = false;  ///< a file of its own was saved before it began
     bool started_ = false;        ///< everything was graded once
-    bool faulty_ = false;         ///< the last grading failed by the grader's own fault
     bool leaving_ = false;
 };
 

@@ -15,8 +15,9 @@ struct Watched {
     std::string report;                ///< the same as a terminal shows it
     Baseline baseline;
     bool due = true;
-    bool saved = false;  ///< a file of its own, since the last grading began
-    bool warm = false;   ///< references and signatures are in memory
+    bool saved = false;   ///< a file of its own, since the last grading began
+    bool faulty = false;  ///< the last grading failed by the grader's own fault
+    bool warm = false;    ///< references and signatures are in memory
 
     /// Everything earned that a program can give points for.
     bool isFull() const;
