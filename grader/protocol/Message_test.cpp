@@ -125,6 +125,20 @@ TEST(Message, ALieAboutTheNumberOfRegionsIsNoticed) {
     EXPECT_THROW(decodeAnswer(encodeAnswer(answer)), ProtocolError);
 }
 
+TEST(Message, TextsAreCutAndLongerOnesAreRefused) {
+    Answer answer;
+    answer.detail = std::string(1 << 20, 'x');
+    const Answer cut = decodeAnswer(encodeAnswer(answer));
+    EXPECT_LT(cut.detail.size(), 20000u);
+    Bytes forged = encodeAnswer(cut);
+    const std::size_t length = sizeof(Nonce) + 1 + 4;  // where the text begins
+    forged[length] = 0xff, forged[length + 1] = 0xff;
+    forged.resize(forged.size() + 0xffff);
+    EXPECT_THROW(decodeAnswer(forged), ProtocolError);
+    answer.todos = {std::string(1 << 20, 'x')};
+    EXPECT_THROW(decodeAnswer(encodeAnswer(answer)), ProtocolError);
+}
+
 TEST_F(Channel, AMessageArrivesWithItsNonce) {
     Answer sent;
     sent.nonce = {3, 4};

@@ -279,6 +279,27 @@ TEST_F(Collecting, APipeIsNotOpened) {
     EXPECT_EQ(complaint(), "Camera.cpp: expected a file, found something else");
 }
 
+TEST_F(Collecting, HeadersGoWithTheirSources) {
+    course.write("assignments/06-rotation/rotation.h", "starter h");
+    course.write("solutions/06-rotation/rotation.h", "solved h");
+    course.write("solutions/06-rotation/rotation.cpp", "solved cpp");
+    manifest.inherits["rotation.h"] = "06-rotation";
+    submitBoth();
+    hand.write("06-rotation/rotation.h", "mine h");
+    const Collected without = collected();
+    EXPECT_EQ(staged(without, "rotation.cpp"), "solved cpp (solutions)");
+    EXPECT_EQ(staged(without, "rotation.h"), "solved h (solutions)");
+    EXPECT_THAT(without.notices,
+                ElementsAre("rotation.h of 06-rotation is not used without rotation.cpp"));
+
+    hand.write("06-rotation/rotation.cpp", "mine cpp");
+    const Collected with = collected();
+    EXPECT_EQ(staged(with, "rotation.h"), "mine h (submission)");
+    EXPECT_THAT(with.notices, IsEmpty());
+    ASSERT_EQ(with.stage.coursesHeaders.size(), 1u);
+    EXPECT_EQ(with.stage.coursesHeaders[0].content, "solved h");
+}
+
 TEST_F(Collecting, AVeryLargeFileIsRefused) {
     submitBoth();
     fs::resize_file(hand / "07-camera/Camera.cpp", (4u << 20) + 1);

@@ -47,6 +47,16 @@ TEST(ObjectCache, AHalfWrittenEntryIsNotTaken) {
     EXPECT_EQ(cache.fetch("key", tree / "b.o"), "log") << "it can be mended";
 }
 
+TEST(ObjectCache, AnEntryThatWouldFillTheDiskIsNotKept) {
+    const Tree tree;
+    const ObjectCache cache(tree / "cache");
+    const fs::path made = tree.write("a.o", "object");
+    fs::resize_file(made, ObjectCache::kLargestEntry + 1);
+    cache.store("key", made, "");
+    EXPECT_EQ(cache.fetch("key", tree / "b.o"), std::nullopt);
+    EXPECT_FALSE(fs::exists(tree / "cache/key"));
+}
+
 TEST(ObjectCache, ForgetsTheOldest) {
     const Tree tree;
     const ObjectCache cache(tree / "cache");

@@ -38,6 +38,15 @@ TEST(ProcessSubject, AnHonestRunnerGivesItsValueAndItsUnfilledRegions) {
     EXPECT_EQ(subject->call<int>("turn"), 42) << "one runner serves many requests";
 }
 
+TEST(ProcessSubject, WhatComesAfterAllPatienceIsNotAsked) {
+    const auto subject = fake("honest");
+    subject->patienceSeconds = 1e-9;
+    EXPECT_EQ(subject->ask({}).outcome, Outcome::ok) << "the first takes all of it";
+    const Answer late = subject->ask({});
+    EXPECT_EQ(late.outcome, Outcome::faulty);
+    EXPECT_THAT(late.detail, HasSubstr("more than all may take"));
+}
+
 TEST(ProcessSubject, AnotherNonceIsTampering) {
     const Answer answer = answerOf("wrong-nonce");
     EXPECT_EQ(answer.outcome, Outcome::tampered);

@@ -92,4 +92,37 @@ TEST_F(ManualTask, TakesPointsAndASentenceFromATable) {
     EXPECT_THAT(run({"export", out().string(), "--to", "csv"}).output, HasSubstr("1 mark written"));
 }
 
+TEST_F(ManualTask, CountsNowhereBeforeItIsDecided) {
+    ASSERT_EQ(batch().exitCode, 0);
+    const std::string page = lab::readFile(out() / "index.html");
+    const auto from = page.find("id=checks");
+    EXPECT_EQ(page.substr(from, page.find("<h2", from) - from).find("favourite"), std::string::npos)
+        << "nobody has lost it";
+}
+
+TEST_F(ManualTask, AStudentWhoHandedInNothingIsExportedOnceDecided) {
+    lab::writeFile(work_.path() / "roster.csv", "id,name\nann,Ann\nbob,Bob\n");
+    std::string decided = "student,task,points,reason\nann,favourite-turn,4,bold\n";
+    for (const char* task : {"cross-matrix", "rotation", "euler-rodrigues", "favourite-turn"})
+        decided += fmt::format("bob,{},1,shown in person\n", task);
+    lab::writeFile(work_.path() / "o.csv", decided);
+    const auto graded = batch({"--overrides", (work_.path() / "o.csv").string(), "--roster",
+                               (work_.path() / "roster.csv").string()});
+    ASSERT_EQ(graded.exitCode, 0) << graded.output;
+    for (const char* platform :
+         {"gradescope", "prairielearn", "classroom50", "autolab", "junit", "csv"}) {
+        const auto exported = run({"export", out().string(), "--to", platform});
+        EXPECT_EQ(exported.exitCode, 0) << exported.output;
+        EXPECT_THAT(exported.output, HasSubstr("2 marks written")) << platform;
+    }
+    const fs::path bob = out() / "export/gradescope/bob.json";
+    EXPECT_EQ(lab::parseJsonFile(bob.string()).at("score"), 4.0);
+
+    // Undecided again: what was exported before must not be uploaded.
+    ASSERT_EQ(batch({"--roster", (work_.path() / "roster.csv").string()}).exitCode, 0);
+    EXPECT_THAT(run({"export", out().string(), "--to", "gradescope"}).output,
+                HasSubstr("bob has no mark"));
+    EXPECT_FALSE(fs::exists(bob));
+}
+
 }  // namespace

@@ -69,12 +69,14 @@ protected:
         return graded(commitOf("student", "HEAD"), environment);
     }
     Answer graded(const std::string& head, const std::string& environment = "") {
+        const fs::path owned = work_.path() / "owned";
+        const std::string attack = "touch " + owned.string();
         const Json event = {{"action", "synchronize"},
                             {"pull_request",
                              {{"number", 7},
-                              {"title", "`touch /tmp/owned` $(touch /tmp/owned)"},
+                              {"title", "`" + attack + "` $(" + attack + ")"},
                               {"base", {{"sha", commitOf("base", "HEAD")}}},
-                              {"head", {{"sha", head}, {"ref", "$(touch /tmp/owned)"}}}}}};
+                              {"head", {{"sha", head}, {"ref", "$(" + attack + ")"}}}}}};
         const fs::path folder = work_.path();
         writeFile(folder / "event.json", event.dump());
         const std::string line = fmt::format(
@@ -84,6 +86,7 @@ protected:
             "'{2}/.github/actions/grade/grade.sh' '{3}'",
             folder.string(), environment, lab::root().string(), COURSE_GRADER);
         const ProcessResult ran = run({"sh", "-c", line}, 120);
+        EXPECT_FALSE(fs::exists(owned)) << "a text of the student's was run";
         const auto text = [&](const char* name) {
             return fs::exists(folder / name) ? readFile(folder / name) : "";
         };
@@ -204,6 +207,15 @@ TEST_F(PullRequestTest, LinksAndGiantFilesAreNotTaken) {
     EXPECT_THAT(answer.summary,
                 AllOf(HasSubstr("is no regular file and was not taken"),
                       HasSubstr("has more than 4 MiB and was not taken"), Not(HasSubstr("root:"))));
+}
+
+TEST_F(PullRequestTest, AFolderInAFilesPlaceIsNotTaken) {
+    fs::remove(student() / kRotation);
+    write(std::string(kRotation) + "/more.cpp", "int more;\n");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("## 06-rotation Rotation: 0 / 100"),
+                                      HasSubstr("is no regular file and was not taken")));
 }
 
 TEST_F(PullRequestTest, AForkWithUnrelatedHistoryIsGraded) {

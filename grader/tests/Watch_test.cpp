@@ -98,7 +98,6 @@ TEST_F(Watch, EveryWayToSaveIsGradedAndComparedWithTheLast) {
     // Gone for a moment, then empty for a moment: only what comes then is graded.
     lab::fs::remove(submission_.file(kRotation));
     overwrite(kRotation, "");
-    wait(50);
     overwrite(kRotation, with(kRotation, "rotation", "    return glm::mat3(1.0f);\n"));
     const std::string again = terminal.waitFor(kWaiting);
     EXPECT_THAT(again, HasSubstr("✗ rotation: "));

@@ -52,10 +52,11 @@ munged --foreground --force --key-file "$work/munge/key" --socket "$work/munge.s
     --pid-file "$work/munge/pid" --seed-file "$work/munge/seed" --log-file "$work/munged.log" \
     2> "$work/munged.err.log" &
 daemons+=($!)
+port=$((20000 + $$ % 10000 * 4))  # below those that the system hands out
 cat > "$work/slurm.conf" << END
 ClusterName=course
 SlurmctldHost=$host(127.0.0.1)
-SlurmctldPort=36817
+SlurmctldPort=$port
 SlurmUser=root
 AuthType=auth/munge
 AuthInfo=socket=$work/munge.socket
@@ -76,8 +77,8 @@ SchedulerParameters=batch_sched_delay=0,sched_min_interval=0
 ReturnToService=2
 JobRequeue=1
 KillWait=5
-NodeName=node1 NodeHostname=$host NodeAddr=127.0.0.1 Port=36818 CPUs=1
-NodeName=node2 NodeHostname=$host NodeAddr=127.0.0.1 Port=36819 CPUs=1
+NodeName=node1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + 1)) CPUs=1
+NodeName=node2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + 2)) CPUs=1
 PartitionName=all Nodes=node1,node2 Default=YES MaxTime=60 State=UP
 END
 echo "CgroupPlugin=cgroup/v1" > "$work/cgroup.conf"

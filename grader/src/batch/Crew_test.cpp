@@ -70,8 +70,8 @@ TEST(Crew, LeavesBehindWhatHangsAndDoesTheRest) {
     };
     std::vector<std::string> told;
     const auto begun = std::chrono::steady_clock::now();
-    const auto all = Crew{1, 0.5}.run(3, work, lost, kOn,
-                                      [&](const Standing& each) { told.push_back(each.entrant); });
+    const auto all = Crew{1, 3}.run(3, work, lost, kOn,
+                                    [&](const Standing& each) { told.push_back(each.entrant); });
     EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
     EXPECT_TRUE(all.someoneWasLeftBehind);
     EXPECT_THAT(statusesOf(all), ElementsAre("0 graded", "1 grader_error", "2 graded"));

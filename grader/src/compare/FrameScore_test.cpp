@@ -63,6 +63,25 @@ TEST(FrameScore, TheReferenceItselfIsFull) {
     EXPECT_EQ(score.meanError, 0);
 }
 
+TEST(FrameScore, WhereNothingIsSharpTheScoreIsANumberAllTheSame) {
+    const auto ramp = [](bool down, int most) {
+        Picture picture{200, 150, {}};
+        for (int y = 0; y < 150; ++y)
+            for (int x = 0; x < 200; ++x) {
+                const auto grey = static_cast<std::uint8_t>(down ? most * y / 150 : most * x / 200);
+                picture.rgba.insert(picture.rgba.end(), {grey, grey, grey, 255});
+            }
+        return picture;
+    };
+    const Picture reference = ramp(false, 255);
+    for (const Picture& frame : {ramp(true, 255), ramp(false, 128), ramp(true, 128)}) {
+        const FrameScore score = scoreFrame(frame, reference, starter(), kTolerance);
+        EXPECT_GE(score.score, 0);
+        EXPECT_LT(score.score, 1);
+    }
+    EXPECT_EQ(scoreFrame(reference, reference, starter(), kTolerance).score, 1);
+}
+
 TEST(FrameScore, AnotherDriversRoundingCostsNothing) {
     Picture noisy = scene();
     std::mt19937 engine(1);

@@ -154,6 +154,18 @@ TEST(TerminalReport, AnAssignmentThatWasNotStartedTakesOneLine) {
     ASSERT_EQ(linesOf(report).size(), 1u) << report;
     EXPECT_TRUE(report.starts_with("07-camera  Camera: not started, begin with rotate-right"));
     EXPECT_TRUE(report.ends_with(" 0 / 100\n"));
+
+    result.notices = {"Camera.cpp is missing: graded with the starter's file"};
+    result.ignoredFiles = {"camera.cpp"};
+    const std::string told = reportOf(result);
+    EXPECT_NE(told.find("note: Camera.cpp is missing"), std::string::npos) << told;
+    EXPECT_NE(told.find("not taken: camera.cpp"), std::string::npos) << told;
+}
+
+TEST(TerminalReport, ATaskOfWhichNoCheckMayBeSeenIsALine) {
+    AssignmentResult result = sampleResult();
+    result.tasks[1] = task("rotate-up", Status::notImplemented, {});
+    EXPECT_NE(reportOf(result).find("rotate-up"), std::string::npos);
 }
 
 TEST(TerminalReport, AnUnfilledTaskTakesOneSentence) {

@@ -1,0 +1,3 @@
+#include <stdexcept>
+#include <string>
+extern "C" const char stolen[] __attribute__((weak));

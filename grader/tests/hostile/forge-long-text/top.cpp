@@ -1,0 +1,4 @@
+#include <unistd.h>
+#include <cstdint>
+#include <cstring>
+#include <string>
