@@ -9,72 +9,60 @@ namespace grader {
 
 namespace {
 
-std::vector<CheckResult> checksOf(const Manifest& manifest, const Frame& frame) {
-    std::vector<CheckResult> checks;
-    const auto tasks = frame.tasks();
-    for (const std::string& task : tasks) {
-        CheckResult check;
-        check.id = tasks.size() == 1 ? frame.id : frame.id + "." + task;
-        check.kind = "frame";
-        check.task = task;
-        check.title = frame.title;
-        check.maxPoints = frame.pointsOf(task);
-        check.hint = manifest.task(task)->hint;
-        for (const Feature& feature : frame.features)
-            if (feature.task == task)
-                check.features.push_back(
-                    {feature.id, feature.title, 0, feature.points, "", Picture{}});
-        checks.push_back(std::move(check));
-    }
-    return checks;
+CheckResult checkOf(const Manifest& manifest, const Frame& frame) {
+    CheckResult check;
+    check.id = frame.id;
+    check.kind = "frame";
+    check.task = frame.task;
+    check.title = frame.title;
+    check.maxPoints = frame.points;
+    check.hint = manifest.task(frame.task)->hint;
+    for (const Feature& feature : frame.features)
+        check.features.push_back({feature.id, feature.title, 0, feature.points, "", Picture{}});
+    return check;
 }
 
-/// Scores the checks of one frame. Whole-frame faults of earlier frames are in `charged`.
+/// Scores one frame. Whole-frame faults of earlier frames are in `charged`.
 class FrameJudge {
 public:
     FrameJudge(const Manifest& manifest, const Frame& frame, const FrameRule& rule,
                std::set<std::string>& charged)
         : manifest_(manifest), frame_(frame), rule_(rule), charged_(charged) {}
 
-    void judge(FrameOutcome outcome, std::vector<CheckResult>& checks) {
-        const FrameScore score =
-            outcome.verdict.status == Status::pass ? rule_.score(outcome.picture) : FrameScore{};
-        const double kept = shareKept(score);
-        for (CheckResult& check : checks) {
-            check.todos = outcome.todos;
-            if (outcome.verdict.status != Status::pass) {
-                check.status = outcome.verdict.status;
-                check.message = outcome.verdict.message;
-                continue;
-            }
-            award(check, score, kept);
-            markUnimplemented(manifest_, check);
-            if (!isScored() && check.status == Status::fail)
-                check.status = Status::pass;  // the unfilled region belongs to another task
-            if (check.full()) {
-                check.message.clear();
-                check.hint.clear();
-            } else if (outcome.undrawn > 0) {
-                check.message +=
-                    fmt::format("{}{:.1f} % of the picture was neither cleared nor drawn",
-                                check.message.empty() ? "" : "; ",
-                                100.0 * outcome.undrawn / (frame_.width * frame_.height));
-            }
-            check.pictures = FramePictures{outcome.picture, rule_.truth().reference, {}, score};
+    void judge(FrameOutcome outcome, CheckResult& check) {
+        check.todos = outcome.todos;
+        if (outcome.verdict.status != Status::pass) {
+            check.status = outcome.verdict.status;
+            check.message = outcome.verdict.message;
+            return;
         }
+        FrameScore score = rule_.score(outcome.picture);
+        award(check, score);
+        markUnimplemented(manifest_, check);
+        if (check.maxPoints == 0 && check.status == Status::fail)
+            check.status = Status::pass;  // the unfilled region belongs to another task
+        if (check.full()) {
+            check.message.clear();
+            check.hint.clear();
+        } else if (outcome.undrawn > 0) {
+            check.message += fmt::format("{}{:.1f} % of the picture was neither cleared nor drawn",
+                                         check.message.empty() ? "" : "; ",
+                                         100.0 * outcome.undrawn / (frame_.width * frame_.height));
+        }
+        check.pictures = FramePictures{
+            std::move(outcome.picture), rule_.truth().reference, {}, std::move(score)};
     }
 
 private:
     /// A frame without points is shown only, and must not take the one charge for a fault.
-    bool isScored() const { return frame_.points > 0 || !frame_.features.empty(); }
-
     double shareKept(const FrameScore& score) {
-        return score.fault && isScored() && charged_.insert(score.fault->id).second
+        return score.fault && frame_.points > 0 && charged_.insert(score.fault->id).second
                    ? 1 - kFaultCharge
                    : 1.0;
     }
 
-    void award(CheckResult& check, const FrameScore& score, double kept) {
+    void award(CheckResult& check, const FrameScore& score) {
+        const double kept = shareKept(score);
         if (check.features.empty()) {
             check.points = kept * score.score * check.maxPoints;
             check.message = score.sentence;
@@ -139,8 +127,7 @@ void markUnimplemented(const Manifest& manifest, CheckResult& check) {
 std::vector<CheckResult> frameChecks(const Manifest& manifest) {
     std::vector<CheckResult> all;
     for (const Frame& frame : manifest.frames)
-        for (CheckResult& check : checksOf(manifest, frame))
-            all.push_back(std::move(check));
+        all.push_back(checkOf(manifest, frame));
     return all;
 }
 
@@ -149,10 +136,9 @@ std::vector<CheckResult> judgeFrames(const Manifest& manifest, Frames drawn,
     std::vector<CheckResult> all;
     std::set<std::string> charged;
     for (const Frame& frame : manifest.frames) {
-        auto checks = checksOf(manifest, frame);
+        all.push_back(checkOf(manifest, frame));
         FrameJudge(manifest, frame, rules.at(frame.id), charged)
-            .judge(std::move(drawn.byId[frame.id]), checks);
-        std::move(checks.begin(), checks.end(), std::back_inserter(all));
+            .judge(std::move(drawn.byId[frame.id]), all.back());
     }
     return all;
 }

@@ -6,7 +6,7 @@
 
 namespace grader {
 
-/// Scores all frames of an assignment: a check for each frame and each task that has points in it.
+/// Scores all frames of an assignment: a check for each, with the frame's id.
 /// A whole-frame fault, such as rows upside down, costs its share in the first frame that shows it
 /// and nothing in the others.
 std::vector<CheckResult> judgeFrames(const Manifest& manifest, Frames drawn,

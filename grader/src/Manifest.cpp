@@ -44,7 +44,6 @@ Feature readFeature(Fields fields) {
     Feature feature;
     feature.id = fields.get<std::string>("id");
     feature.title = fields.get<std::string>("title");
-    feature.task = fields.get<std::string>("task");
     feature.points = fields.get<double>("points");
     feature.without = fields.get<std::string>("without");
     fields.done();
@@ -57,12 +56,11 @@ Frame readFrame(Fields fields) {
     Frame frame;
     frame.id = fields.get<std::string>("id");
     frame.title = fields.get<std::string>("title", frame.id);
+    frame.task = fields.get<std::string>("task");
     for (const Fields& feature : fields.list("features"))
-        frame.features.push_back(readFeature(feature));
-    if (frame.features.empty()) {
-        frame.task = fields.get<std::string>("task");
+        frame.points += frame.features.emplace_back(readFeature(feature)).points;
+    if (frame.features.empty())
         frame.points = fields.get<double>("points");
-    }
     const auto size = fields.get<std::vector<int>>("size");
     frame.tolerance = fields.get<double>("tolerance", kDefaultTolerance);
     const auto why = fields.get<std::string>("why", "");
@@ -127,9 +125,9 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
         throw Error("{}: the points of all tasks must add up to 100, found {}", file, sum);
     for (const Frame& frame : manifest.frames) {
         requireDistinctIds(frame.features, "features", file + ": frame \"" + frame.id + "\"");
-        for (const std::string& task : frame.tasks())
-            if (!manifest.task(task))
-                throw Error("{}: frame \"{}\" names the unknown task \"{}\"", file, frame.id, task);
+        if (!manifest.task(frame.task))
+            throw Error("{}: frame \"{}\" names the unknown task \"{}\"", file, frame.id,
+                        frame.task);
     }
     if (manifest.id != manifest.folder.filename())
         throw Error("{}: field \"id\": expected the folder's name \"{}\", found \"{}\"", file,
@@ -174,7 +172,7 @@ const Task* Manifest::task(const std::string& taskId) const {
 double Manifest::framePoints(const std::string& taskId) const {
     double sum = 0;
     for (const Frame& frame : frames)
-        sum += frame.pointsOf(taskId);
+        sum += frame.task == taskId ? frame.points : 0;
     return sum;
 }
 
@@ -188,24 +186,6 @@ std::vector<Task> Manifest::automaticTasks() const {
     std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(automatic),
                  [](const Task& each) { return !each.manual; });
     return automatic;
-}
-
-std::vector<std::string> Frame::tasks() const {
-    if (features.empty())
-        return {task};
-    std::vector<std::string> all;
-    for (const Feature& feature : features)
-        if (std::find(all.begin(), all.end(), feature.task) == all.end())
-            all.push_back(feature.task);
-    return all;
-}
-
-double Frame::pointsOf(const std::string& taskId) const {
-    double sum = task == taskId ? points : 0;
-    for (const Feature& feature : features)
-        if (feature.task == taskId)
-            sum += feature.points;
-    return sum;
 }
 
 Manifest Manifest::load(const fs::path& folder) {

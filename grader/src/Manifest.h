@@ -22,21 +22,18 @@ struct Task {
 
 /// What a frame shows, and what that is worth.
 struct Feature {
-    std::string id, title, task;
+    std::string id, title;
     double points = 0;
     std::string without;  ///< the mistake that a picture without the feature is drawn with
 };
 
 struct Frame {
     std::string id, title;
-    std::string task;   ///< of the whole picture; empty when the points belong to features
-    double points = 0;  ///< of the whole picture
+    std::string task;
+    double points = 0;  ///< of the whole picture, or of all features together
     std::vector<Feature> features;
     int width = 0, height = 0;  ///< pixels
     double tolerance = 0.0005;  ///< share of pixels that may differ
-
-    std::vector<std::string> tasks() const;  ///< those that the frame belongs to, each once
-    double pointsOf(const std::string& task) const;
 };
 
 struct AssignmentLimits {

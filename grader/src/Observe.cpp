@@ -263,11 +263,7 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
     std::set<std::string> lateTasks;
     for (const Frame& frame : manifest.frames) {
         TimeBox::check();
-        const auto tasks = frame.tasks();
-        const bool worthTrying =
-            std::any_of(tasks.begin(), tasks.end(),
-                        [&](const std::string& task) { return !lateTasks.contains(task); });
-        if (late >= kMostLateFrames && !worthTrying) {
+        if (late >= kMostLateFrames && lateTasks.contains(frame.task)) {
             frames.byId[frame.id].verdict = {
                 Status::timeout, fmt::format("the frame was not drawn: {} before it ran out of "
                                              "time",
@@ -283,7 +279,7 @@ Frames Observer::drawFrames(const Manifest& manifest, const BuildResult& build,
         outcome.todos = answer.todos;
         if (answer.outcome == protocol::Outcome::timeout) {
             ++late;
-            lateTasks.insert(tasks.begin(), tasks.end());
+            lateTasks.insert(frame.task);
         }
         const auto bytes = std::size_t(4) * static_cast<std::size_t>(frame.width) *
                            static_cast<std::size_t>(frame.height);

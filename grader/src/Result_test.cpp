@@ -155,6 +155,19 @@ TEST(GroupByTask, KeepsTheManifestsOrderAndSumsUp) {
     EXPECT_EQ(tasks[1].status, Status::pass);
 }
 
+TEST(GroupByTask, AFrameThatIsOnlyShownDecidesNothing) {
+    Manifest manifest;
+    manifest.tasks = {{"a", "A", "", 100, {}}};
+    std::vector<CheckResult> checks = {check("A.1", Status::pass, 100, 100),
+                                       check("shown", Status::timeout, 0, 0)};
+    for (CheckResult& each : checks)
+        each.task = "a";
+    checks[1].kind = "frame";
+    EXPECT_EQ(groupByTask(manifest, checks)[0].status, Status::pass);
+    checks[1].status = Status::graderError;
+    EXPECT_NE(groupByTask(manifest, checks)[0].status, Status::pass);
+}
+
 TEST(GroupByTask, ChecksKnowWhenTheyAreShownAndTheDocumentSaysWhereItIsNotAlways) {
     Manifest manifest;
     manifest.tasks = {{"a", "A", "", 100, {}}};

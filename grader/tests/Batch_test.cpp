@@ -107,6 +107,24 @@ TEST_F(BatchTest, ARepositoryIsReadFromItsCommitAndRunsNothing) {
     EXPECT_FALSE(fs::exists(trace)) << "something of the repository was run";
 }
 
+TEST_F(BatchTest, ARepositoryWithoutEndIsRefused) {
+    // A commit of ten folders in each of ten folders, nine times, and no file in any.
+    const auto made =
+        lab::run({"bash", "-ec",
+                  "git init -q \"$0\"; cd \"$0\"; tree=$(git mktree < /dev/null); "
+                  "for level in 1 2 3 4 5 6 7 8 9; do tree=$(for i in 0 1 2 3 4 5 6 7 8 9; do "
+                  "printf '040000 tree %s\\t%s\\n' $tree $i; done | git mktree); done; "
+                  "commit=$(git -c user.name=x -c user.email=x@x commit-tree -m work $tree); "
+                  "git update-ref HEAD $commit",
+                  (home() / "bomb").string()},
+                 30);
+    ASSERT_TRUE(made.succeeded()) << made.output;
+    const Graded graded = batch();
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_EQ(student("bomb").at("status"), "refused");
+    EXPECT_THAT(graded.text, HasSubstr("it could not be read within 20 s"));
+}
+
 /// The class that the README grades, see grader/examples/class.
 class ExampleClass : public testing::Test {
 protected:

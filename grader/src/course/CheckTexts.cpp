@@ -65,11 +65,11 @@ private:
                 const auto known =
                     std::find_if(mistakes.begin(), mistakes.end(),
                                  [&](const Mistake& each) { return each.id == feature.without; });
-                if (known == mistakes.end() || !known->loses.contains(feature.task))
+                if (known == mistakes.end() || !known->loses.contains(frame.task))
                     findings_.add(
                         fmt::format("frame {}: feature {} belongs to {}, and is without {}, which "
                                     "is no mistake that loses there",
-                                    frame.id, feature.id, feature.task, feature.without),
+                                    frame.id, feature.id, frame.task, feature.without),
                         "name a mistake of solutions/" + manifest_.id + "/mistakes.json");
             }
     }
