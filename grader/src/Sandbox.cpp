@@ -31,6 +31,7 @@ constexpr const char* kTmpfsBytes = "67108864";  // of /tmp, and as much of /dev
 
 /// Users without a name; Debian keeps these numbers free.
 constexpr unsigned kFirstJobUser = 65000, kJobUsers = 500;
+constexpr unsigned kEnder = kFirstJobUser + kJobUsers;  // nothing runs as this one
 
 void append(Command& command, const Command& more) {
     command.insert(command.end(), more.begin(), more.end());
@@ -218,15 +219,13 @@ std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish
 
 namespace {
 
-/// A process that becomes the user kills all that it may, which is all of that user's but itself.
+/// A process that may do what the user may kills all that it may. Only its effective identity is
+/// the user's: whoever is to be killed may not kill it first.
 void endAllOf(unsigned user) {
     const pid_t pid = fork();
     if (pid == 0) {
-        // The kernel's own calls: those of the C library ask other threads, of which there are
-        // none.
-        if (syscall(SYS_setgroups, 0, nullptr) == 0 &&
-            syscall(SYS_setresgid, user, user, user) == 0 &&
-            syscall(SYS_setresuid, user, user, user) == 0)
+        // The kernel's own call: that of the C library tells other threads, and there are none.
+        if (syscall(SYS_setresuid, kEnder, user, kEnder) == 0)
             kill(-1, SIGKILL);
         _exit(0);
     }
