@@ -34,7 +34,7 @@ foreach(name IN LISTS corpora)
     endif()
     file(MAKE_DIRECTORY ${found} ${PROJECT_BINARY_DIR}/fuzz/new/${name})
     add_test(NAME fuzz.${name} COMMAND ${PROJECT_BINARY_DIR}/fuzz/fuzz_${name}
-        -max_total_time=30 -timeout=10 ${limits} -artifact_prefix=${found}/${name}-
+        -seed=1 -max_total_time=30 -timeout=10 ${limits} -artifact_prefix=${found}/${name}-
         ${PROJECT_BINARY_DIR}/fuzz/new/${name} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name}
         ${given})
     set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 300

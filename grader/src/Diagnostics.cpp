@@ -29,7 +29,8 @@ std::string simplified(std::string message) {
 std::string nameOf(const std::string& file) {
     if (file.starts_with("/"))
         return file.substr(file.rfind('/') + 1);
-    return file.starts_with("./") ? file.substr(2) : file;
+    static const std::regex here(R"(^(?:\./+)+)");
+    return std::regex_replace(file, here, "");
 }
 
 std::optional<Diagnostic> fromCompiler(const std::string& line) {
