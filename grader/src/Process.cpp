@@ -20,7 +20,8 @@ namespace grader {
 
 namespace {
 
-[[noreturn]] void become(const std::vector<std::string>& command, int output) {
+/// In the child, where nothing may be allocated: a thread that is gone may have held that lock.
+[[noreturn]] void become(char* const* arguments, int output) {
     setsid();  // a group of its own, and no terminal
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int nothing = open("/dev/null", O_RDONLY);
@@ -28,11 +29,7 @@ namespace {
     dup2(output, 1);
     dup2(output, 2);
     close_range(3, ~0U, 0);
-    std::vector<char*> arguments;
-    for (const std::string& each : command)
-        arguments.push_back(const_cast<char*>(each.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
+    execvp(arguments[0], arguments);
     dprintf(2, "cannot start %s: %s\n", arguments[0], std::strerror(errno));
     _exit(127);
 }
@@ -46,9 +43,13 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     int pipes[2];
     if (pipe2(pipes, O_CLOEXEC) != 0)
         throw Error("no pipe can be opened: {}", std::strerror(errno));
+    std::vector<char*> arguments;
+    for (const std::string& each : command)
+        arguments.push_back(const_cast<char*>(each.c_str()));
+    arguments.push_back(nullptr);
     const pid_t pid = fork();
     if (pid == 0)
-        become(command, pipes[1]);
+        become(arguments.data(), pipes[1]);
     close(pipes[1]);
     if (pid < 0)
         throw Error("{} cannot be started: {}", command.front(), std::strerror(errno));
