@@ -18,6 +18,7 @@
 
 #include "Error.h"
 #include "Process.h"
+#include "bench/Edit.h"
 #include "bench/Median.h"
 #include "bench/Ways.h"
 
@@ -48,8 +49,7 @@ public:
 
     /// An edit that changes nothing but the text.
     void edit() {
-        const std::string text =
-            stage_.find(edited())->content + fmt::format("// edit {}\n", ++edits_);
+        const std::string text = stage_.find(edited())->content + editOf(edited(), ++edits_);
         writeFile(submission_ / manifest_.id / edited(), text);
     }
 

@@ -15,6 +15,7 @@
 #include <iostream>
 
 #include "Error.h"
+#include "bench/Edit.h"
 #include "bench/Median.h"
 #include "bench/Ways.h"
 #include "testing/PseudoTerminal.h"
@@ -67,7 +68,7 @@ private:
                 return *name;
         return manifest_.submit.back();
     }
-    void edit(int round) { stage_.find(edited())->content += fmt::format("// edit {}\n", round); }
+    void edit(int round) { stage_.find(edited())->content += editOf(edited(), round); }
 
     void saveAndWait() {
         writeFile(submission() / manifest_.id / edited(), stage_.find(edited())->content);
