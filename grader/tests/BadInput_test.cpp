@@ -234,6 +234,21 @@ protected:
         lab::fs::rename(kit() / "bin/runner", kit() / "bin/runner.real");
         script("runner", text);
     }
+    enum class Which { ofTheFirstBuild, ofAllOthers };
+    /// These runners do something else in place of their work.
+    void spoilRunners(Which which, const std::string& instead) const {
+        startRunnerBy(
+            "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
+            "[ \"$(cat $kit/seen/first)\" " +
+            std::string(which == Which::ofTheFirstBuild ? "!=" : "=") + " \"$1\" ] || " + instead +
+            "\nexec $kit/bin/runner.real \"$@\"\n");
+    }
+    void expectNoPointsLost() {
+        const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
+        EXPECT_TRUE(lab::fs::exists(seen() / "first")) << "nothing was spoilt";
+        EXPECT_EQ(graded.exitCode, 0) << graded.text;
+        EXPECT_TRUE(says(graded, "100 / 100"));
+    }
     void startCompilerBy(const std::string& text) const {
         const lab::fs::path file = copy_.build() / "grader/toolchain.json";
         Json tools = lab::parseJsonFile(file.string());
@@ -254,35 +269,18 @@ TEST_F(DamagedMachine, WithoutAGlLibraryTheMessageSaysWhatToInstall) {
 }
 
 TEST_F(DamagedMachine, ARunnerThatFailsForAWhileCostsNoPoints) {
-    // Every runner of the first build fails, as on a machine that is short of processes.
-    startRunnerBy(
-        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
-        "[ \"$(cat $kit/seen/first)\" != \"$1\" ] || exit 3\n"
-        "exec $kit/bin/runner.real \"$@\"\n");
-    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
-    EXPECT_TRUE(lab::fs::exists(seen() / "first")) << "nothing has failed";
-    EXPECT_EQ(graded.exitCode, 0) << graded.text;
-    EXPECT_TRUE(says(graded, "100 / 100"));
+    spoilRunners(Which::ofTheFirstBuild, "exit 3");  // as on a machine that is short of processes
+    expectNoPointsLost();
 }
 
 TEST_F(DamagedMachine, ARunnerThatIsKilledForAWhileCostsNoPoints) {
-    // As the kernel does on a machine that is short of memory.
-    startRunnerBy(
-        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
-        "[ \"$(cat $kit/seen/first)\" != \"$1\" ] || kill -9 $$\n"
-        "exec $kit/bin/runner.real \"$@\"\n");
-    const Graded graded = grade("06-rotation", "solutions", {"--no-sandbox"});
-    EXPECT_TRUE(lab::fs::exists(seen() / "first")) << "nothing was killed";
-    EXPECT_EQ(graded.exitCode, 0) << graded.text;
-    EXPECT_TRUE(says(graded, "100 / 100"));
+    spoilRunners(Which::ofTheFirstBuild, "kill -9 $$");  // as the kernel does, short of memory
+    expectNoPointsLost();
 }
 
 TEST_F(DamagedMachine, AFaultWhileANeededTaskIsPutRightTakesNoPoints) {
     // The submission itself is graded; all that is graded after it fails.
-    startRunnerBy(
-        "[ -e $kit/seen/first ] || echo \"$1\" > $kit/seen/first\n"
-        "[ \"$(cat $kit/seen/first)\" = \"$1\" ] || exit 3\n"
-        "exec $kit/bin/runner.real \"$@\"\n");
+    spoilRunners(Which::ofAllOthers, "exit 3");
     lab::fs::copy(file("solutions"), file("handed-in"), lab::fs::copy_options::recursive);
     edit("handed-in/06-rotation/rotation.cpp", "return R;", "return glm::transpose(R);");
     const Graded graded = grade("07-camera", "handed-in", {"--no-sandbox"});
