@@ -1,7 +1,6 @@
 #include "Archive.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <optional>
 
@@ -12,7 +11,8 @@ namespace grader {
 
 namespace {
 
-constexpr int kSeconds = 20;
+constexpr int kSeconds = 20;  // of processor time
+constexpr int kClockSeconds = 3 * kSeconds;
 constexpr int kMemoryMib = 512;
 constexpr int kMostMib = kLargestArchive >> 20;
 
@@ -40,35 +40,19 @@ Confinement confinementOf(const Job& job) {
 }
 
 /// Why a program that read the submission's bytes was ended, where that is their doing; empty
-/// otherwise. Bubblewrap tells of a signal in its exit code.
-std::string endedBy(const ProcessResult& ran, double seconds) {
+/// otherwise.
+std::string theirDoing(const ProcessResult& ran) {
     const auto by = [&](std::initializer_list<int> signals) {
-        return std::any_of(signals.begin(), signals.end(), [&](int signal) {
-            return ran.signal == signal || ran.exitCode == 128 + signal;
-        });
+        return std::any_of(signals.begin(), signals.end(),
+                           [&](int signal) { return ran.endedBy(signal); });
     };
-    // No process uses up its seconds before they have passed.
-    constexpr double kNearly = 0.9;
-    if (ran.timedOut || (by({SIGKILL, SIGXCPU}) && seconds > kNearly * kSeconds))
+    if (ran.timedOut || (by({SIGKILL, SIGXCPU}) && ran.canHaveUsed(kSeconds)))
         return fmt::format("it could not be read within {} s", kSeconds);
     if (by({SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}))
         return "it is damaged: it cannot even be looked at";
     if (by({SIGXFSZ}))
         return fmt::format("it is larger than {} MiB", kMostMib);
     return "";
-}
-
-struct Timed {
-    ProcessResult ran;
-    std::string endedBy;
-};
-
-Timed timed(const std::vector<std::string>& command) {
-    const auto begun = std::chrono::steady_clock::now();
-    Timed result{run(command, 3 * kSeconds), ""};
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    result.endedBy = endedBy(result.ran, took.count());
-    return result;
 }
 
 /// Unpacks the file job/archive/file, which the sandbox may read already.
@@ -83,13 +67,13 @@ Unpacked unpackFile(const Toolchain& tools, const Sandbox& sandbox, const Job& j
     confinement.readable = {tools.kit, file.parent_path()};
     confinement.writable = {unpacked.folder};
     confinement.workingFolder = unpacked.folder;
-    const auto [ran, ended] = timed(
-        sandbox.confine(confinement, {tools.unpack().string(), file.string(), unpacked.folder}));
-    if (!ended.empty())
-        unpacked.refusal = ended;
-    else if (ran.exitCode == 1)
+    const ProcessResult ran =
+        run(sandbox.confine(confinement, {tools.unpack().string(), file.string(), unpacked.folder}),
+            kClockSeconds);
+    unpacked.refusal = theirDoing(ran);
+    if (unpacked.refusal.empty() && ran.exitCode == 1)
         unpacked.refusal = ran.output.substr(0, ran.output.find('\n'));
-    else if (ran.exitCode != 0)
+    if (unpacked.refusal.empty() && ran.exitCode != 0)
         throw Error("{} cannot be unpacked: {}", name, ran.output);
     while (const auto only =
                unpacked.refusal.empty() ? onlyFolderIn(unpacked.folder) : std::nullopt) {
@@ -178,12 +162,14 @@ Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& 
     confinement.writable = {made};
     confinement.workingFolder = made;
     confinement.environment = {"GIT_CONFIG_NOSYSTEM=1", "GIT_CONFIG_GLOBAL=/dev/null"};
-    const auto [ran, ended] = timed(sandbox.confine(
-        confinement, {"git", "-c", "safe.directory=*", "--git-dir=" + bare.string(), "archive",
-                      "--format=tar", "-o", (made / "file").string(), "HEAD"}));
-    if (!ended.empty())
-        return {{}, ended, ""};
-    if (sandboxFailed(ran) || ran.signal != 0 || ran.exitCode == 128 + SIGKILL)
+    const ProcessResult ran =
+        run(sandbox.confine(confinement,
+                            {"git", "-c", "safe.directory=*", "--git-dir=" + bare.string(),
+                             "archive", "--format=tar", "-o", (made / "file").string(), "HEAD"}),
+            kClockSeconds);
+    if (const std::string refusal = theirDoing(ran); !refusal.empty())
+        return {{}, refusal, ""};
+    if (sandboxFailed(ran) || ran.signal != 0 || ran.endedBy(SIGKILL))
         throw Error("git cannot be run for {}: {}", repository.string(), ran.output);
     if (!ran.succeeded())
         return {{}, "git cannot read its commit HEAD", ""};

@@ -1,7 +1,6 @@
 #include "Build.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <map>
 #include <set>
@@ -35,9 +34,8 @@ bool ranOutOfMemory(const std::string& log) {
 /// In the words of g++ and of collect2, or in bubblewrap's exit code: by SIGKILL, or by SIGXCPU.
 bool wasKilled(const ProcessResult& result) {
     for (const int signal : {SIGKILL, SIGXCPU})
-        if (result.signal == signal || result.exitCode == 128 + signal ||
-            result.output.find(fmt::format("terminated with signal {}", signal)) !=
-                std::string::npos)
+        if (result.endedBy(signal) || result.output.find(fmt::format("terminated with signal {}",
+                                                                     signal)) != std::string::npos)
             return true;
     for (const char* words :
          {"Killed signal terminated program", "CPU time limit exceeded signal terminated program"})
@@ -262,17 +260,15 @@ private:
         confinement.limits.cpuSeconds = limits_.buildSeconds;
         confinement.limits.memoryMib = kCompilerMemoryMib;
         confinement.limits.fileMib = kLargestObjectMib;
-        const auto begun = std::chrono::steady_clock::now();
         // Its own limit is on processor time: a crowded machine makes the clock no judge of code.
         ProcessResult result =
             grader::run(sandbox_.confine(confinement, command),
                         limits_.buildSeconds * double(protocol::kMostStretch), kLongestLog);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
         if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
             cache_.store(key, made, result.output);
         if (result.succeeded())
             return {true, false, result.output};
-        const std::string excess = excessOf(result, took.count());
+        const std::string excess = excessOf(result);
         if (!excess.empty())
             result.output += fmt::format("\n{}:1:1: error: the compiler {}\n",
                                          output.substr(0, output.size() - 2), excess);
@@ -282,16 +278,14 @@ private:
     }
 
     /// Which limit a failing compiler met; empty for none.
-    std::string excessOf(const ProcessResult& result, double took) const {
+    std::string excessOf(const ProcessResult& result) const {
         const bool endedByKernel =
             wasKilled(result) && judge::interventionsIn(cgroup_.folder()).memory > 0;
         if (ranOutOfMemory(result.output) || endedByKernel)
             return fmt::format("needed more than {} MiB of memory", kCompilerMemoryMib);
         if (result.output.find("File size limit exceeded signal terminated") != std::string::npos)
             return fmt::format("wrote more than {} MiB", kLargestObjectMib);
-        // No process uses up its seconds before they have passed.
-        constexpr double kNearly = 0.9;
-        if (result.timedOut || (wasKilled(result) && took > kNearly * limits_.buildSeconds))
+        if (result.timedOut || (wasKilled(result) && result.canHaveUsed(limits_.buildSeconds)))
             return fmt::format("did not finish within {} s", limits_.buildSeconds);
         return "";
     }

@@ -50,13 +50,16 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     const pid_t pid = fork();
     if (pid == 0)
         become(arguments.data(), pipes[1]);
+    const int reason = errno;
     close(pipes[1]);
-    if (pid < 0)
-        throw Error("{} cannot be started: {}", command.front(), std::strerror(errno));
+    if (pid < 0) {
+        close(pipes[0]);
+        throw Error("{} cannot be started: {}", command.front(), std::strerror(reason));
+    }
 
     ProcessResult result;
-    const time_point<steady_clock, duration<double>> own =
-        steady_clock::now() + duration<double>(timeoutSeconds);
+    const auto begun = steady_clock::now();
+    const time_point<steady_clock, duration<double>> own = begun + duration<double>(timeoutSeconds);
     const bool boxed = TimeBox::end() < own;
     const auto end = boxed ? TimeBox::end() : own;
     for (char buffer[16384];;) {
@@ -88,6 +91,7 @@ ProcessResult run(const std::vector<std::string>& command, double timeoutSeconds
     while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
     kill(-pid, SIGKILL);  // whatever it left behind
+    result.seconds = duration<double>(steady_clock::now() - begun).count();
     if (WIFSIGNALED(status))
         result.signal = WTERMSIG(status);
     else

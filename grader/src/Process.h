@@ -9,8 +9,13 @@ struct ProcessResult {
     int exitCode = -1;  ///< -1 when a signal ended it
     int signal = 0;
     bool timedOut = false;
-    std::string output;  ///< standard output and error together, cut at the limit
+    double seconds = 0.0;  ///< that it took, on the clock
+    std::string output;    ///< standard output and error together, cut at the limit
     bool succeeded() const { return exitCode == 0 && !timedOut; }
+    /// By a signal of its own, or of what it ran, as bubblewrap and shells tell it: 128 + signal.
+    bool endedBy(int number) const { return signal == number || exitCode == 128 + number; }
+    /// Whether it can have used up so much processor time: nearly as much must have passed.
+    bool canHaveUsed(double cpuSeconds) const { return seconds > 0.9 * cpuSeconds; }
 };
 
 /// Runs a command in a process group of its own and waits for it. After `timeoutSeconds`, or once
