@@ -18,6 +18,7 @@ using namespace grader;
 /// The command as it is. Only for solutions of our own.
 class Unconfined : public Sandbox {
 public:
+    bool hidesFiles() const override { return true; }  // of itself only
     std::string name() const override { return "none"; }
     std::string weakness() const override { return "nothing is confined"; }
     std::vector<std::string> confine(const Confinement& confinement,

@@ -22,6 +22,7 @@ namespace {
 constexpr int kCompilerMemoryMib = 2048;  // of each process; where there is a cgroup, of all
 constexpr int kLargestObjectMib = 64;
 constexpr std::size_t kLongestLog = 256 * 1024;
+constexpr std::size_t kMostDiagnostics = 200;
 
 /// In the words of cc1plus and of the C++ library.
 bool ranOutOfMemory(const std::string& log) {
@@ -53,11 +54,19 @@ bool wasShortOfSomething(const ProcessResult& result) {
     return sandboxFailed(result);
 }
 
+/// All that something made can depend on.
+struct Origin {
+    std::string key;       ///< a hash of it
+    bool trusted = false;  ///< nothing of the submission's is in it
+};
+
 /// What one command made of its input.
 struct Made {
     bool ok = false;
     bool fromOutside = false;  ///< see BuildResult
     std::string log;
+    std::string excess;  ///< which limit was met: "did not finish within 10 s"; empty for none
+    Origin origin;
 };
 
 class OneBuild {
@@ -69,8 +78,8 @@ public:
           stage_(stage),
           limits_(limits),
           cache_(tools.cache / "objects"),
-          sources_(job.work.path() / "stage"),
-          held_(job.work.path() / "held"),
+          stageFolder_(job.work.path() / "stage"),
+          compiling_(job.work.path() / "compiling"),
           out_(job.work.path() / "out"),
           user_(job.user.id()),
           cgroup_({.memoryMib = kCompilerMemoryMib, .endTogether = false}),
@@ -81,23 +90,25 @@ public:
               })) {}
 
     BuildResult run() {
-        layOut();
-        std::vector<std::future<Made>> compiling;
-        const auto files = translationUnits();
-        for (const StagedFile* file : files)
-            compiling.push_back(alongside([=, this] { return compile(*file); }));
+        fs::create_directories(out_);
+        shareWithSandbox(out_, user_, true);
         BuildResult result;
-        result.stage = sources_;
+        result.stage = stageFolder_;
         result.ok = true;
-        for (std::future<Made>& each : compiling)
-            note(each.get(), result);
+        const auto files = translationUnits();
+        const auto compiled = compileAll(files);
+        for (std::size_t i = 0; i < files.size(); ++i)
+            note(compiled[i], files[i]->name, result);
         if (result.ok)
-            note(link(files), result);
-        removeSources();
+            note(link(files, compiled), "", result);
+        fs::remove_all(compiling_);
+        layOutForRun();
         std::stable_sort(result.diagnostics.begin(), result.diagnostics.end(),
                          [](const Diagnostic& a, const Diagnostic& b) {
                              return a.severity == "error" && b.severity != "error";
                          });
+        if (result.diagnostics.size() > kMostDiagnostics)
+            result.diagnostics.resize(kMostDiagnostics);
         for (Diagnostic& each : result.diagnostics)
             quoteSource(each);
         result.object = out_ / "subject.so";
@@ -106,18 +117,31 @@ public:
     }
 
 private:
-    void layOut() const {
-        fs::create_directories(sources_);
-        fs::create_directories(held_);
+    /// Stand-ins first, whose sources are gone before anything of the submission's is compiled.
+    std::vector<Made> compileAll(const std::vector<const StagedFile*>& files) {
+        std::vector<std::future<Made>> compiling(files.size());
+        for (const bool held : {true, false}) {
+            for (std::size_t i = 0; i < files.size(); ++i)
+                if (isHeld(*files[i]) == held)
+                    compiling[i] = alongside([this, file = files[i]] { return compile(*file); });
+            for (const std::future<Made>& each : compiling)
+                if (each.valid())
+                    each.wait();
+        }
+        std::vector<Made> compiled;
+        for (std::future<Made>& each : compiling)
+            compiled.push_back(each.get());
+        return compiled;
+    }
+
+    /// What runs finds its shaders. It needs no source, and must not read what stands in for a part
+    /// of its own.
+    void layOutForRun() const {
+        fs::create_directories(stageFolder_);
         for (const StagedFile& file : stage_.files)
-            if (!isHeld(file))
-                writeFile(sources_ / file.name, file.content);
-        for (const StagedFile* file : heldFiles())
-            writeFile(held_ / file->name, file->content);
-        fs::create_directories(out_);
-        shareWithSandbox(sources_, user_, false);
-        shareWithSandbox(held_, user_, false);
-        shareWithSandbox(out_, user_, true);
+            if (!isSource(file) && !isHeader(file.name))
+                writeFile(stageFolder_ / file.name, file.content);
+        shareWithSandbox(stageFolder_, user_, false);
     }
 
     static bool isSource(const StagedFile& file) { return file.name.ends_with(".cpp"); }
@@ -128,28 +152,24 @@ private:
         return isSource(file) && file.origin == "solutions";
     }
 
-    /// All that a compiler of stand-ins sees, none where there is no stand-in.
-    std::vector<const StagedFile*> heldFiles() const {
-        std::vector<const StagedFile*> files;
-        for (const StagedFile& file : stage_.files)
-            if (isHeld(file))
-                files.push_back(&file);
-        if (files.empty())
-            return files;
-        for (const StagedFile& file : stage_.coursesHeaders)
-            files.push_back(&file);
-        for (const StagedFile& file : stage_.files)
-            if (isHeader(file.name) && file.role == Role::provided)
-                files.push_back(&file);
-        return files;
-    }
-
-    /// What runs needs none, and must not read what stands in for a part of its own.
-    void removeSources() const {
-        fs::remove_all(held_);
-        for (const StagedFile& file : stage_.files)
-            if (isSource(file) || isHeader(file.name))
-                fs::remove(sources_ / file.name);
+    /// All that the compiler of a file sees, and that its object can depend on: of a stand-in the
+    /// course's headers, else what it could include.
+    std::vector<const StagedFile*> visibleTo(const StagedFile& file) const {
+        std::vector<const StagedFile*> visible;
+        if (isHeld(file)) {
+            visible.push_back(&file);
+            for (const StagedFile& each : stage_.coursesHeaders)
+                visible.push_back(&each);
+            for (const StagedFile& each : stage_.files)
+                if (isHeader(each.name) && each.role == Role::provided)
+                    visible.push_back(&each);
+            return visible;
+        }
+        const auto reached = reachedFrom(file);
+        for (const StagedFile& each : stage_.files)
+            if ((reached.contains(&each) || !includesOnlyHeaders_) && !(isHeld(each)))
+                visible.push_back(&each);
+        return visible;
     }
 
     /// The student's own files first: the linker takes the first definition it meets.
@@ -167,34 +187,62 @@ private:
         std::replace(name.begin(), name.end(), '/', '_');
         return name + ".o";
     }
+    fs::path objectOf(const StagedFile& file) const {
+        const std::string name = objectName(file);
+        return compiling_ / name / "made" / name;
+    }
 
+    /// Each compiler has folders of its own: it could write the bytes of any file that it sees into
+    /// its object (.incbin), and no text says for sure that it does not.
     Made compile(const StagedFile& file) {
+        const auto visible = visibleTo(file);
+        Origin origin{"compile " + file.name + "\n" + flagsAndTools(), true};
+        for (const StagedFile* each : visible) {
+            origin.key += each->name + "\n" + sha256(withoutComments(each->content)) + "\n";
+            origin.trusted = origin.trusted && each->origin != "submission";
+        }
+        origin.key = sha256(origin.key);
+        if (const auto known = fetched(origin, objectOf(file)))
+            return *known;
+        const fs::path sources = compiling_ / objectName(file) / "sources";
+        for (const StagedFile* each : visible)
+            writeFile(sources / each->name, withoutComments(each->content));
+        fs::create_directories(objectOf(file).parent_path());
+        shareWithSandbox(sources, user_, false);
+        shareWithSandbox(objectOf(file).parent_path(), user_, true);
+        Made made = make(origin, compilerCall(file, sources), objectOf(file), sources);
+        fs::remove_all(sources);
+        return made;
+    }
+
+    std::vector<std::string> compilerCall(const StagedFile& file, const fs::path& sources) const {
         std::vector<std::string> command = {tools_.compiler};
         command.insert(command.end(), tools_.compileFlags.begin(), tools_.compileFlags.end());
         const std::string kit = tools_.kit.string();
         for (const std::string& each :
              {std::string("-include"), kit + "/prelude/prelude.h", "-I" + kit + "/include",
-              std::string("-I."), "-ffile-prefix-map=" + sources_.string() + "=.",
-              "-ffile-prefix-map=" + held_.string() + "=.",
+              std::string("-I."), "-ffile-prefix-map=" + sources.string() + "=.",
               std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
               std::string("-fmessage-length=0"), std::string("-fmax-errors=20")})
             command.push_back(each);
-        command.insert(command.end(), {"-c", file.name, "-o", (out_ / objectName(file)).string()});
-        return cached(keyOf(file), command, objectName(file), isHeld(file) ? held_ : sources_);
+        command.insert(command.end(), {"-c", file.name, "-o", objectOf(file).string()});
+        return command;
     }
 
-    Made link(const std::vector<const StagedFile*>& files) {
+    Made link(const std::vector<const StagedFile*>& files, const std::vector<Made>& compiled) {
         std::vector<std::string> objects, inherited;
         std::string key = "link";
-        for (const StagedFile* file : files) {
-            (file->role == Role::inherited ? inherited : objects)
-                .push_back((out_ / objectName(*file)).string());
-            key += " " + file->name + " " + keyOf(*file);
+        bool trusted = true;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            (files[i]->role == Role::inherited ? inherited : objects)
+                .push_back(objectOf(*files[i]).string());
+            key += " " + files[i]->name + " " + compiled[i].origin.key;
+            trusted = trusted && compiled[i].origin.trusted;
         }
         if (!inherited.empty()) {
             std::vector<std::string> archive = {"ar", "rcs", (out_ / "inherited.a").string()};
             archive.insert(archive.end(), inherited.begin(), inherited.end());
-            if (Made made = cached(sha256("archive" + key), archive, "inherited.a", sources_);
+            if (Made made = linked({sha256("archive" + key), trusted}, archive, "inherited.a");
                 !made.ok)
                 return made;
             objects.push_back((out_ / "inherited.a").string());
@@ -204,24 +252,19 @@ private:
         command.insert(command.end(), objects.begin(), objects.end());
         command.push_back((tools_.kit / "lib/libcg.a").string());
         command.insert(command.end(), {"-o", (out_ / "subject.so").string()});
-        return cached(sha256(key), command, "subject.so", sources_);
+        return linked({sha256(key), trusted}, command, "subject.so");
     }
 
-    /// All that the object depends on: flags, compiler, our headers, the file, and every file of
-    /// the stage that it could include.
-    std::string keyOf(const StagedFile& file) const {
-        std::string text = tools_.compiler + "\n" + tools_.compilerVersion + "\n" +
-                           tools_.kitFingerprint + "\n" + sandboxIndependentFlags();
-        if (isHeld(file)) {
-            for (const StagedFile* each : heldFiles())
-                text += each->name + "\n" + sha256(withoutComments(each->content)) + "\n";
-            return sha256(file.name + "\nheld\n" + text);
-        }
-        const auto reached = reachedFrom(file);
-        for (const StagedFile& each : stage_.files)
-            if (reached.contains(&each) || !includesOnlyHeaders_)
-                text += each.name + "\n" + sha256(withoutComments(each.content)) + "\n";
-        return sha256(file.name + "\n" + text);
+    Made linked(const Origin& origin, const std::vector<std::string>& command,
+                const std::string& name) {
+        const auto known = fetched(origin, out_ / name);
+        return known ? *known : make(origin, command, out_ / name, compiling_);
+    }
+
+    std::string flagsAndTools() const {
+        return fmt::format("{}\n{}\n{}\n{} {}\n", tools_.compiler, tools_.compilerVersion,
+                           tools_.kitFingerprint, fmt::join(tools_.compileFlags, " "),
+                           fmt::join(tools_.linkFlags, " "));
     }
 
     /// A file and those of the stage that it includes, by whichever way. The kit's own headers
@@ -241,19 +284,22 @@ private:
         }
         return reached;
     }
-    std::string sandboxIndependentFlags() const {
-        return fmt::format("{} {}\n", fmt::join(tools_.compileFlags, " "),
-                           fmt::join(tools_.linkFlags, " "));
+
+    /// Where a compiler could read what is not in its key, only our own objects are kept.
+    bool mayKeep(const Origin& origin) const { return origin.trusted || sandbox_.hidesFiles(); }
+
+    std::optional<Made> fetched(const Origin& origin, const fs::path& file) const {
+        if (const auto log = mayKeep(origin) ? cache_.fetch(origin.key, file) : std::nullopt)
+            return Made{true, false, *log, "", origin};
+        return std::nullopt;
     }
 
-    Made cached(const std::string& key, const std::vector<std::string>& command,
-                const std::string& output, const fs::path& folder) {
-        const fs::path made = out_ / output;
-        if (const auto log = cache_.fetch(key, made))
-            return {true, false, *log};
+    /// Runs a command that makes a file of what it reads in a folder.
+    Made make(const Origin& origin, const std::vector<std::string>& command, const fs::path& file,
+              const fs::path& folder) {
         Confinement confinement;
         confinement.readable = {tools_.kit, folder};
-        confinement.writable = {out_};
+        confinement.writable = {file.parent_path()};
         confinement.workingFolder = folder;
         confinement.user = user_;
         confinement.cgroup = cgroup_.folder();
@@ -261,20 +307,18 @@ private:
         confinement.limits.memoryMib = kCompilerMemoryMib;
         confinement.limits.fileMib = kLargestObjectMib;
         // Its own limit is on processor time: a crowded machine makes the clock no judge of code.
-        ProcessResult result =
-            grader::run(sandbox_.confine(confinement, command),
-                        limits_.buildSeconds * double(protocol::kMostStretch), kLongestLog);
-        if (result.succeeded() && fs::is_regular_file(fs::symlink_status(made)))
-            cache_.store(key, made, result.output);
-        if (result.succeeded())
-            return {true, false, result.output};
+        const ProcessResult result = grader::run(
+            sandbox_.confine(confinement, command),
+            limits_.buildSeconds * double(protocol::kMostStretch), {.outputLimit = kLongestLog});
+        if (result.succeeded()) {
+            if (mayKeep(origin) && typeOf(file) == fs::file_type::regular)
+                cache_.store(origin.key, file, result.output);
+            return {true, false, result.output, "", origin};
+        }
         const std::string excess = excessOf(result);
-        if (!excess.empty())
-            result.output += fmt::format("\n{}:1:1: error: the compiler {}\n",
-                                         output.substr(0, output.size() - 2), excess);
         const bool fromOutside =
             excess.empty() && (wasKilled(result) || wasShortOfSomething(result));
-        return {false, fromOutside, result.output};
+        return {false, fromOutside, result.output, excess, origin};
     }
 
     /// Which limit a failing compiler met; empty for none.
@@ -287,6 +331,8 @@ private:
             return fmt::format("wrote more than {} MiB", kLargestObjectMib);
         if (result.timedOut || (wasKilled(result) && result.canHaveUsed(limits_.buildSeconds)))
             return fmt::format("did not finish within {} s", limits_.buildSeconds);
+        if (result.cut && result.output.find(" error: ") == std::string::npos)
+            return fmt::format("said more than {} KiB before its first error", kLongestLog >> 10);
         return "";
     }
 
@@ -314,23 +360,26 @@ private:
             diagnostic.message += ", but there is " + name;
     }
 
-    /// Of a file that is not the student's, its name is enough, and may be a lie (#line).
-    void note(const Made& made, BuildResult& result) const {
+    /// Takes over what the compiler said of a file. Of one that is not the student's, its name is
+    /// enough, and may be a lie (#line).
+    void note(const Made& made, const std::string& file, BuildResult& result) const {
         auto found = parseDiagnostics(made.log);
+        if (!made.excess.empty())
+            found.push_back({file, 0, 0, "error", "the compiler " + made.excess, ""});
         for (Diagnostic& each : found) {
             if (!stage_.find(each.file))
                 each.file = fs::path(each.file).filename().string();
             explainCase(each);
         }
-        result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
-        result.ok = result.ok && made.ok;
-        result.fromOutside = result.fromOutside || made.fromOutside;
         const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {
             return each.severity == "error";
         });
         if (!made.ok && !explained)
-            result.diagnostics.push_back(
-                {"", 0, 0, "error", withoutFolders(made.log.substr(0, made.log.find('\n')))});
+            found.push_back(
+                {"", 0, 0, "error", withoutFolders(made.log.substr(0, made.log.find('\n'))), ""});
+        result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
+        result.ok = result.ok && made.ok;
+        result.fromOutside = result.fromOutside || made.fromOutside;
     }
 
     const Toolchain& tools_;
@@ -338,7 +387,7 @@ private:
     const Stage& stage_;
     const AssignmentLimits& limits_;
     ObjectCache cache_;
-    fs::path sources_, held_, out_;
+    fs::path stageFolder_, compiling_, out_;
     unsigned user_;
     Cgroup cgroup_;             ///< of all compilers; the largest one ends when memory runs out
     bool includesOnlyHeaders_;  ///< of every C++ file in the stage

@@ -99,7 +99,11 @@ const std::vector<Hint>& hints() {
          "name and parameter types must be those of the header, to the letter"},
         {std::regex(R"(multiple definition of)"),
          "two of the submitted files define the same function: keep one of them"},
-        {std::regex(R"(expected ';')"),
+        {std::regex(
+             R"(operand types are '(double|int)' and 'glm::|operand types are 'glm::.*' and '(double|int)')"),
+         "GLM multiplies its matrices and vectors of float by a float alone: write 2.0f, std::cos "
+         "and std::sin of a float, or float(...) around it"},
+        {std::regex(R"(expected ('.' or )?';')"),
          "a semicolon is missing, often at the end of the line before"},
         {std::regex(R"(No such file or directory, but there is)"),
          "upper and lower case make two names on Linux, though one on Windows and macOS: write the "
@@ -134,11 +138,14 @@ std::string withoutFolders(const std::string& message) {
 }
 
 std::string sourceLine(const std::string& text, int number) {
-    std::istringstream lines(text);
-    std::string line;
-    for (int i = 0; i < number; ++i)
-        if (!std::getline(lines, line))
-            return "";
+    std::size_t from = 0;
+    for (int i = 1; i < number && from != std::string::npos; ++i)
+        if (from = text.find('\n', from); from != std::string::npos)
+            ++from;
+    if (number < 1 || from >= text.size())
+        return "";
+    const std::string line =
+        text.substr(from, std::min(text.find('\n', from), from + kLongestSource + 1) - from);
     if (line.size() > kLongestSource)
         return "";
     std::string expanded;

@@ -90,6 +90,7 @@ class Bubblewrap : public Sandbox {
 public:
     explicit Bubblewrap(fs::path confine) : confine_(std::move(confine)) {}
     std::string name() const override { return "bubblewrap"; }
+    bool hidesFiles() const override { return true; }
     std::string weakness() const override { return ""; }
 
     Command confine(const Confinement& confinement, const Command& command) const override {
@@ -152,6 +153,7 @@ class PlainProcess : public Sandbox {
 public:
     explicit PlainProcess(fs::path confine) : confine_(std::move(confine)) {}
     std::string name() const override { return "plain"; }
+    bool hidesFiles() const override { return false; }
     std::string weakness() const override {
         return geteuid() == 0
                    ? "without bubblewrap, the submission ran as a plain process with limits, as a "
@@ -233,6 +235,17 @@ void endAllOf(unsigned user) {
     }
 }
 
+/// What a user without a sandbox may have left where everybody may write.
+void removeFilesOf(unsigned user) {
+    for (const char* folder : {"/tmp", "/var/tmp", "/dev/shm"})
+        for (const fs::path& each : entriesOf(folder)) {
+            struct stat status {};
+            std::error_code stays;
+            if (lstat(each.c_str(), &status) == 0 && status.st_uid == user)
+                fs::remove_all(each, stays);
+        }
+}
+
 }  // namespace
 
 JobUser::JobUser() : id_(geteuid()) {
@@ -264,6 +277,7 @@ JobUser::~JobUser() {
     if (lock_ < 0)
         return;
     endAllOf(id_);
+    removeFilesOf(id_);
     close(lock_);
 }
 

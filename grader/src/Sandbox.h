@@ -40,6 +40,9 @@ public:
     /// One sentence on what it does not protect from; empty when there is nothing to say.
     virtual std::string weakness() const = 0;
 
+    /// Whether a program sees no file but those that its confinement names, and the system's.
+    virtual bool hidesFiles() const = 0;
+
     /// The command that runs `command` confined. Descriptors are inherited.
     virtual std::vector<std::string> confine(const Confinement& confinement,
                                              const std::vector<std::string>& command) const = 0;
@@ -79,7 +82,8 @@ bool runsInCi();
 /// The user that the programs of one job run as when the grader was started by root: one without a
 /// name, whom no other job on this machine has at the same time, so that the limits and files of
 /// neighbours are apart. Otherwise the grader's own. Whatever of that user still runs at the end is
-/// killed, before another job may get it. Throws Error when all are taken.
+/// killed, and what it left in the system's temporary folders removed, before another job may get
+/// it. Throws Error when all are taken.
 class JobUser {
 public:
     JobUser();
