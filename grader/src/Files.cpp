@@ -6,11 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
-#include <sstream>
+#include <memory>
 
 #include "Error.h"
 
@@ -22,20 +25,45 @@ constexpr const char* kWorkPrefix = "course-";
 
 }  // namespace
 
+fs::file_type typeOf(const fs::path& path) {
+    std::error_code unknown;
+    return fs::symlink_status(path, unknown).type();
+}
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+    std::vector<fs::path> entries;
+    std::error_code unreadable;
+    for (fs::directory_iterator each(folder, unreadable), end; !unreadable && each != end;
+         each.increment(unreadable))
+        entries.push_back(each->path());
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
 std::string readFile(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    if (!file || fs::is_directory(path))
+    errno = 0;
+    const auto refuse = [&] {
         throw Error("{} cannot be read: {}", path.string(),
-                    fs::is_directory(path) ? "it is a folder" : std::strerror(errno));
-    return content.str();
+                    errno == EISDIR ? "it is a folder" : std::strerror(errno));
+    };
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
+    if (!file)
+        refuse();
+    std::string content;
+    char part[16384];
+    for (std::size_t got; (got = std::fread(part, 1, sizeof part, file.get())) > 0;)
+        content.append(part, got);
+    if (std::ferror(file.get()))
+        refuse();
+    return content;
 }
 
 void writeFile(const fs::path& path, const std::string& content) {
     if (path.has_parent_path())
         fs::create_directories(path.parent_path());
-    const fs::path temporary = path.string() + ".new" + std::to_string(getpid());
+    // A name of its own: other processes and threads may write the same file at the same time.
+    static std::atomic<unsigned> written{0};
+    const fs::path temporary = fmt::format("{}.new{}.{}", path.string(), getpid(), written++);
     std::ofstream file(temporary, std::ios::binary);
     file << content;
     file.close();

@@ -2,10 +2,18 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace grader {
 
 namespace fs = std::filesystem;
+
+/// What kind of thing is there, of a link the link itself. fs::file_type::none where that cannot be
+/// known: no rights, a link in a circle on the way.
+fs::file_type typeOf(const fs::path& path);
+
+/// Paths of all that is in a folder, sorted; nothing where it is no folder or cannot be read.
+std::vector<fs::path> entriesOf(const fs::path& folder);
 
 /// The whole file; throws Error when it cannot be read.
 std::string readFile(const fs::path& path);

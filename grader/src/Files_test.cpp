@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
+#include <thread>
 
 #include "Error.h"
 #include "testing/Tree.h"
@@ -13,7 +15,9 @@
 namespace {
 
 using namespace grader;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing_help::Tree;
 using testing_help::whatOf;
 
@@ -44,6 +48,41 @@ TEST(Files, WritingMakesFoldersAndReplacesWhole) {
     tree.write("a/b/c.txt", "short");
     EXPECT_EQ(readFile(tree / "a/b/c.txt"), "short");
     EXPECT_EQ(filesIn(tree / "a/b"), 1u) << "nothing temporary stays";
+}
+
+TEST(Files, ThreadsThatWriteTheSameFileWriteItWhole) {
+    const Tree tree;
+    std::atomic<int> torn{0};
+    std::vector<std::thread> threads;
+    for (char each = 'a'; each < 'i'; ++each)
+        threads.emplace_back([&, text = std::string(200000, each)] {
+            for (int i = 0; i < 30; ++i) {
+                writeFile(tree / "file", text);
+                const std::string read = readFile(tree / "file");
+                torn += read.size() != text.size() || read.find_first_not_of(read[0]) != npos;
+            }
+        });
+    for (std::thread& each : threads)
+        each.join();
+    EXPECT_EQ(torn, 0);
+}
+
+TEST(Files, WhatCannotBeReadToItsEndIsNotTakenForWhole) {
+    EXPECT_THAT(whatOf<Error>([] { readFile("/proc/self/mem"); }), HasSubstr("Input/output error"));
+    EXPECT_THAT(whatOf<Error>([] { readFile("/tmp"); }), HasSubstr("it is a folder"));
+}
+
+TEST(Files, WhatCannotBeLookedAtThrowsNothing) {
+    const Tree tree;
+    fs::create_symlink("circle", tree / "circle");
+    EXPECT_EQ(typeOf(tree / "circle"), fs::file_type::symlink);
+    EXPECT_EQ(typeOf(tree / "circle/file"), fs::file_type::none);
+    EXPECT_EQ(typeOf(tree / "nothing"), fs::file_type::not_found);
+    EXPECT_THAT(entriesOf(tree / "circle"), IsEmpty());
+    EXPECT_THAT(entriesOf(tree / "nothing"), IsEmpty());
+    tree.write("b", "");
+    tree.write("a", "");
+    EXPECT_THAT(entriesOf(tree.path()), ElementsAre(tree / "a", tree / "b", tree / "circle"));
 }
 
 TEST(Files, AReaderKeepsTheTextThatItOpened) {

@@ -84,7 +84,10 @@ Picture readPictureCached(const fs::path& path, const fs::path& cacheFolder) {
     std::string bytes(reinterpret_cast<const char*>(&picture.width), sizeof(int));
     bytes.append(reinterpret_cast<const char*>(&picture.height), sizeof(int));
     bytes.append(picture.rgba.begin(), picture.rgba.end());
-    writeFile(entry, bytes);
+    try {
+        writeFile(entry, bytes);
+    } catch (const std::exception&) {  // a cache that cannot be written: it is read again then
+    }
     return picture;
 }
 
