@@ -110,11 +110,16 @@ bool copyRegularFiles(const fs::path& from, const fs::path& to, std::uintmax_t& 
 bool copyCommits(const fs::path& repository, const fs::path& target) {
     std::uintmax_t bytes = 0;
     fs::create_directories(target);
-    for (const char* each : {"HEAD", "packed-refs", "shallow"})
-        if (fs::is_regular_file(fs::symlink_status(repository / each)))
-            fs::copy_file(repository / each, target / each);
+    for (const char* each : {"HEAD", "packed-refs", "shallow"}) {
+        if (typeOf(repository / each) != fs::file_type::regular)
+            continue;
+        bytes += fs::file_size(repository / each);
+        if (bytes > kLargestArchive)
+            return false;
+        fs::copy_file(repository / each, target / each);
+    }
     for (const char* each : {"objects", "refs"})
-        if (fs::is_directory(fs::symlink_status(repository / each)) &&
+        if (typeOf(repository / each) == fs::file_type::directory &&
             !copyRegularFiles(repository / each, target / each, bytes))
             return false;
     fs::create_directories(target / "refs");
@@ -127,10 +132,10 @@ bool copyCommits(const fs::path& repository, const fs::path& target) {
 
 std::optional<fs::path> repositoryIn(const fs::path& folder) {
     for (const fs::path& each : {folder / ".git", folder})
-        if (fs::is_regular_file(fs::symlink_status(each / "HEAD")) &&
-            fs::is_directory(fs::symlink_status(each / "objects")) &&
-            fs::is_directory(fs::symlink_status(each / "refs")) &&
-            fs::is_directory(fs::symlink_status(each)))
+        if (typeOf(each / "HEAD") == fs::file_type::regular &&
+            typeOf(each / "objects") == fs::file_type::directory &&
+            typeOf(each / "refs") == fs::file_type::directory &&
+            typeOf(each) == fs::file_type::directory)
             return each;
     return std::nullopt;
 }

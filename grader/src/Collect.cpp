@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "Error.h"
+#include "Portability.h"
 #include "Regions.h"
 
 namespace grader {
@@ -58,30 +59,35 @@ private:
     }
 
     void addOwn(const std::string& name) {
-        const fs::path folder = submission_.folderFor(manifest_.id, manifest_.id);
-        if (fs::exists(fs::symlink_status(folder / name))) {
-            result_.anythingSubmitted = true;
-            add(name, Role::own, "submission", folder / name);
-            return;
+        if (const auto path = submission_.placeOf(manifest_, name)) {
+            if (*path != folder_ / name) {
+                elsewhere_.insert(path->filename().string());
+                result_.notices.push_back(
+                    fmt::format("{} is taken as {}", path->filename().string(), name));
+            }
+            return add(name, Role::own, "submission", *path);
         }
-        result_.notices.push_back(name + " is missing: graded with the starter's file");
+        const std::string other = inOtherCase(name);
+        result_.notices.push_back(
+            fmt::format("{} is missing: graded with the starter's file{}", name,
+                        other.empty() ? "" : fmt::format("; {} is another: rename it", other)));
         add(name, Role::own, "starter", root_ / "assignments" / manifest_.id / name);
     }
 
-    /// Where the submission has an inherited file.
-    std::optional<fs::path> inheritedAt(const std::string& name, const std::string& from) const {
-        for (const std::string& id : {manifest_.id, from}) {
-            const fs::path path = submission_.folderFor(id, manifest_.id) / name;
-            if (fs::exists(fs::symlink_status(path)))
-                return path;
-        }
-        return std::nullopt;
+    /// A file that was handed in under this name but for upper and lower case; empty for none.
+    std::string inOtherCase(const std::string& name) const {
+        std::vector<std::string> names;
+        for (const fs::path& place : {folder_, (folder_ / name).parent_path()})
+            for (const fs::path& each : submission_.entriesOf(place))
+                names.push_back(each.lexically_relative(folder_).string());
+        const std::string other = nameInOtherCase(name, names);
+        return other.empty() ? nameInOtherCase(fs::path(name).filename().string(), names) : other;
     }
 
     /// The source without which an inherited header is not used; empty where there is none.
     std::string sourceMissingFor(const std::string& header) const {
         for (const auto& [name, from] : manifest_.inherits)
-            if (goesWith(manifest_, header, name) && !inheritedAt(name, from))
+            if (goesWith(manifest_, header, name) && !submission_.placeOf(manifest_, name))
                 return name;
         return "";
     }
@@ -89,7 +95,7 @@ private:
     void addInherited(const std::string& name, const std::string& from) {
         if (isHeader(name))
             result_.stage.coursesHeaders.push_back(substituteFor(root_, manifest_, name));
-        if (const auto path = inheritedAt(name, from)) {
+        if (const auto path = submission_.placeOf(manifest_, name)) {
             const std::string missing = sourceMissingFor(name);
             if (missing.empty())
                 return add(name, Role::inherited, "submission", *path);
@@ -134,17 +140,18 @@ private:
     /// What is there instead of a file of the student's own; empty when it is one. A link could
     /// lead to any file that the grader may read, so none is followed below the submission.
     std::string insteadOfFile(const fs::path& path) const {
-        const fs::path below = path.lexically_relative(submission_.folder);
-        if (!below.empty() && *below.begin() != "..") {
-            fs::path step = submission_.folder;
-            for (const fs::path& part : below)
-                if (fs::is_symlink(fs::symlink_status(step /= part)))
-                    return "a link: copy what it points to";
+        if (submission_.isBehindLink(path))
+            return "a link: copy what it points to";
+        switch (typeOf(path)) {
+            case fs::file_type::regular:
+                return "";
+            case fs::file_type::directory:
+                return "a folder";
+            case fs::file_type::none:
+                return "something that cannot be looked at: check its permissions";
+            default:
+                return "something else";
         }
-        const fs::file_status status = fs::symlink_status(path);
-        if (fs::is_regular_file(status))
-            return "";
-        return fs::is_directory(status) ? "a folder" : "something else";
     }
 
     /// Takes out what only some editors write.
@@ -160,28 +167,26 @@ private:
 
     /// Everything else in the submission's folder; a folder is one entry.
     void listIgnored() {
-        const fs::path folder = submission_.folderFor(manifest_.id, manifest_.id);
-        if (!fs::is_directory(folder))
-            return;
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            const std::string name = entry.path().filename().string();
-            const bool taken = result_.stage.find(name) != nullptr;
-            const bool ours = fs::equivalent(folder, manifest_.folder) || sameAsOurs(entry, name);
-            std::error_code circle;
-            if (!taken && !ours && !holdsTaken(name))
-                result_.ignored.push_back(entry.is_directory(circle) ? name + "/" : name);
-            else if (taken && !ours && result_.stage.find(name)->role == Role::provided)
-                result_.ignored.push_back(name);
+        for (const fs::path& path : submission_.entriesOf(folder_)) {
+            const std::string name = path.filename().string();
+            const StagedFile* taken = result_.stage.find(name);
+            if (elsewhere_.contains(name) || isOurs(path))
+                continue;
+            if ((taken && taken->role == Role::provided) || (!taken && !holdsTaken(name)))
+                result_.ignored.push_back(typeOf(path) == fs::file_type::directory ? name + "/"
+                                                                                   : name);
         }
         std::sort(result_.ignored.begin(), result_.ignored.end());
     }
-    bool sameAsOurs(const fs::directory_entry& entry, const std::string& name) const {
-        const fs::path ours = manifest_.folder / name;
+    /// Whether the assignment's folder has this very file, or the same.
+    bool isOurs(const fs::path& path) const {
+        const fs::path ours = manifest_.folder / path.filename();
         try {
-            return entry.is_regular_file() && fs::is_regular_file(ours) &&
-                   entry.file_size() <= kLargestFile && readFile(entry.path()) == readFile(ours);
+            return fs::equivalent(path, ours) ||
+                   (typeOf(path) == fs::file_type::regular && fs::is_regular_file(ours) &&
+                    fs::file_size(path) <= kLargestFile && readFile(path) == readFile(ours));
         } catch (const std::exception&) {
-            return false;  // cannot be read, or a link in a circle
+            return false;  // there is none of ours, or theirs cannot be read
         }
     }
     bool holdsTaken(const std::string& folder) const {
@@ -194,6 +199,8 @@ private:
     const fs::path& root_;
     const Manifest& manifest_;
     const Submission& submission_;
+    const fs::path folder_ = submission_.folderFor(manifest_.id, manifest_.id);
+    std::set<std::string> elsewhere_;  ///< files above the subfolder that they belong in
     Collected result_;
 };
 
@@ -202,11 +209,11 @@ private:
 Submission submissionIn(const fs::path& folder, const std::vector<std::string>& known) {
     const auto hasOneOf = [&](const fs::path& in) {
         return std::any_of(known.begin(), known.end(), [&](const std::string& id) {
-            return fs::is_directory(fs::symlink_status(in / id));
+            return typeOf(in / id) == fs::file_type::directory;
         });
     };
     const fs::path inCopy = folder / "assignments";
-    if (!hasOneOf(folder) && fs::is_directory(fs::symlink_status(inCopy)) && hasOneOf(inCopy))
+    if (!hasOneOf(folder) && typeOf(inCopy) == fs::file_type::directory && hasOneOf(inCopy))
         return {fs::absolute(inCopy), true};
     return {fs::absolute(folder), hasOneOf(folder)};
 }
@@ -215,6 +222,36 @@ fs::path Submission::folderFor(const std::string& assignment, const std::string&
     if (perAssignment)
         return folder / assignment;
     return assignment == graded ? folder : folder / ".." / assignment / "none";
+}
+
+bool Submission::isBehindLink(const fs::path& path) const {
+    const fs::path below = path.lexically_relative(folder);
+    if (below.empty() || *below.begin() == "..")
+        return false;
+    fs::path step = folder;
+    return std::any_of(below.begin(), below.end(), [&](const fs::path& part) {
+        return part != "." && typeOf(step /= part) == fs::file_type::symlink;
+    });
+}
+
+std::vector<fs::path> Submission::entriesOf(const fs::path& path) const {
+    return isBehindLink(path) ? std::vector<fs::path>() : grader::entriesOf(path);
+}
+
+std::optional<fs::path> Submission::placeOf(const Manifest& manifest,
+                                            const std::string& name) const {
+    const fs::path own = folderFor(manifest.id, manifest.id);
+    std::vector<fs::path> places = {own / name};
+    const std::string last = fs::path(name).filename().string();
+    if (const auto from = manifest.inherits.find(name); from != manifest.inherits.end())
+        places.push_back(folderFor(from->second, manifest.id) / name);
+    else if (std::count_if(manifest.submit.begin(), manifest.submit.end(),
+                           [&](const fs::path& each) { return each.filename() == last; }) == 1)
+        places.push_back(own / last);
+    const auto found = std::find_if(places.begin(), places.end(), [](const fs::path& each) {
+        return typeOf(each) != fs::file_type::not_found;
+    });
+    return found == places.end() ? std::nullopt : std::optional(*found);
 }
 
 StagedFile* Stage::find(const std::string& name) {
@@ -250,6 +287,11 @@ std::map<std::string, fs::path> handedIn(const Manifest& manifest) {
         if (sources.contains(from))
             all.emplace(name, assignments / from / name);
     return all;
+}
+
+bool hasFileNamed(const std::map<std::string, fs::path>& handedIn, const std::string& name) {
+    return std::any_of(handedIn.begin(), handedIn.end(),
+                       [&](const auto& each) { return fs::path(each.first).filename() == name; });
 }
 
 bool isHeader(const std::string& name) {

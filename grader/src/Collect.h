@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,16 @@ struct Submission {
 
     /// Its folder for an assignment; it need not exist.
     fs::path folderFor(const std::string& assignment, const std::string& graded) const;
+
+    /// Where it has a file that the assignment takes: in its folder for this assignment; an
+    /// inherited one then in its folder for the named one. What belongs in a subfolder
+    /// (shaders/lighting.frag) may lie above it, for platforms hand in files without folders.
+    std::optional<fs::path> placeOf(const Manifest& manifest, const std::string& name) const;
+
+    /// Whether a path is a link, or leads through one, below `folder`: it may lead anywhere.
+    bool isBehindLink(const fs::path& path) const;
+    /// What is in one of its folders, sorted; nothing behind a link, or where it cannot be read.
+    std::vector<fs::path> entriesOf(const fs::path& path) const;
 };
 
 /// What a folder is: with a folder named like one of the `known` assignments it holds one for each,
@@ -57,7 +68,6 @@ struct Collected {
     std::vector<std::string> ignored;  ///< files and folders (with a slash) not taken
     std::vector<std::string> notices;
     std::vector<Diagnostic> unreadable;  ///< files that cannot be taken as they are
-    bool anythingSubmitted = false;
 };
 
 /// Tasks of an assignment that have a region in a file's text.
@@ -67,6 +77,8 @@ std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& te
 /// and where a task is solved in a file of an earlier assignment, that one's files
 /// (08-perspective: Camera.h and Camera.cpp of 07-camera).
 std::map<std::string, fs::path> handedIn(const Manifest& manifest);
+/// Whether one of them is called so, in whichever folder it belongs.
+bool hasFileNamed(const std::map<std::string, fs::path>& handedIn, const std::string& name);
 
 /// What takes the place of an inherited file that is missing or broken: the solution's, in which
 /// the tasks of the assignment itself are as the starter has them; or the starter's where there are
@@ -81,9 +93,9 @@ bool goesWith(const Manifest& manifest, const std::string& header, const std::st
 
 /// Takes the files that the manifest lists and nothing else.
 ///
-/// A missing file is named and replaced by the starter's. An inherited file is looked up in the
-/// submission's folder for this assignment, in its folder for the named one, and replaced by
-/// substituteFor() where it is in neither; so are the headers of a source that is. A byte-order
+/// Files are where Submission::placeOf() finds them. A missing one is named and replaced by the
+/// starter's; an inherited one by substituteFor(), and so are the headers of a source that is. A
+/// byte-order
 /// mark and carriage returns are taken out; a file that is not UTF-8 or cannot be read is reported
 /// in `unreadable`.
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);

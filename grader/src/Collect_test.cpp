@@ -66,7 +66,6 @@ TEST_F(Collecting, FilesOfAFolderPerAssignment) {
     EXPECT_EQ(staged(all, "Camera.h"), "mine h (submission)");
     EXPECT_EQ(staged(all, "Camera.cpp"), "mine cpp (submission)");
     EXPECT_EQ(all.stage.find("Camera.h")->role, Role::own);
-    EXPECT_TRUE(all.anythingSubmitted);
     EXPECT_THAT(all.notices, IsEmpty());
     EXPECT_THAT(all.ignored, IsEmpty());
     EXPECT_THAT(all.unreadable, IsEmpty());
@@ -111,7 +110,6 @@ TEST_F(Collecting, AMissingFileIsNamedAndReplaced) {
 
 TEST_F(Collecting, NothingAtAllIsTheStarter) {
     const Collected all = collected();
-    EXPECT_FALSE(all.anythingSubmitted);
     EXPECT_EQ(all.notices.size(), 2u);
     EXPECT_EQ(staged(all, "Camera.h"), "starter Camera.h (starter)");
 }
@@ -216,6 +214,29 @@ TEST_F(Collecting, FilesInFoldersOfTheManifestAreTaken) {
     EXPECT_THAT(all.ignored, IsEmpty());
 }
 
+TEST_F(Collecting, AFileMayLieAboveTheFolderThatItBelongsIn) {
+    manifest.submit = {"shaders/p.frag"};
+    course.write("assignments/07-camera/shaders/p.frag", "starter frag");
+    submit("p.frag", "mine");
+    const Collected all = collected();
+    EXPECT_EQ(staged(all, "shaders/p.frag"), "mine (submission)");
+    EXPECT_THAT(all.notices, ElementsAre("p.frag is taken as shaders/p.frag"));
+    EXPECT_THAT(all.ignored, IsEmpty());
+    submit("shaders/p.frag", "in its place");
+    EXPECT_EQ(staged(collected(), "shaders/p.frag"), "in its place (submission)");
+    EXPECT_THAT(collected().ignored, ElementsAre("p.frag"));
+}
+
+TEST_F(Collecting, ANameInOtherLettersIsToBeRenamed) {
+    submit("camera.H", "mine h");
+    submit("Camera.cpp", "mine cpp");
+    const Collected all = collected();
+    EXPECT_EQ(staged(all, "Camera.h"), "starter Camera.h (starter)");
+    EXPECT_THAT(all.notices,
+                ElementsAre("Camera.h is missing: graded with the starter's file; camera.H is "
+                            "another: rename it"));
+}
+
 TEST_F(Collecting, MarksAndCarriageReturnsAreTakenOut) {
     submit("Camera.h", "\xEF\xBB\xBFone\r\ntwo\r\n");
     submit("Camera.cpp", "a\rb\r\r\n\xC3\xA9");
@@ -264,6 +285,20 @@ TEST_F(Collecting, ALinkedFolderIsNotFollowedEither) {
     const Collected all = collected();
     EXPECT_EQ(all.unreadable.size(), 2u);
     EXPECT_EQ(staged(all, "Camera.cpp"), " (submission)");
+}
+
+TEST_F(Collecting, WhatIsBehindALinkedFolderIsNotNamed) {
+    fs::create_directories(hand / "06-rotation");
+    fs::create_symlink("/etc", hand / "07-camera");
+    EXPECT_THAT(collected().ignored, IsEmpty());
+}
+
+TEST_F(Collecting, AFolderThatLinksToItselfIsALink) {
+    fs::create_directories(hand / "06-rotation");
+    fs::create_symlink("07-camera", hand / "07-camera");
+    const Collected all = collected();
+    ASSERT_FALSE(all.unreadable.empty());
+    EXPECT_THAT(all.unreadable[0].message, HasSubstr("found a link"));
 }
 
 TEST_F(Collecting, LinksInACircleAmongTheOtherFilesAreNamedOnly) {

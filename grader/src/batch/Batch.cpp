@@ -50,16 +50,15 @@ void requireThere(const Entrant& entrant) {
             throw Error("{} was there when the batch began, and is gone", each.string());
 }
 
-/// Where a submission has what may be handed in for an assignment, by name.
-std::map<std::string, fs::path> filesIn(const Submission& submission, const Manifest& manifest) {
-    std::map<std::string, fs::path> files;
-    const fs::path folder = submission.folderFor(manifest.id, manifest.id);
-    for (const std::string& name : manifest.submit)
-        files[name] = folder / name;
-    for (const auto& [name, from] : manifest.inherits)
-        files[name] = fs::exists(fs::symlink_status(folder / name))
-                          ? folder / name
-                          : submission.folderFor(from, manifest.id) / name;
+/// The contents of a submission's files that were taken, by name.
+std::map<std::string, std::string> takenFiles(const Collected& collected) {
+    std::map<std::string, std::string> files;
+    for (const StagedFile& file : collected.stage.files)
+        if (file.origin == "submission")
+            files[file.name] = file.content;
+    for (const Diagnostic& each : collected.unreadable)
+        if (each.line == 0)
+            files.erase(each.file);  // nothing was read of it
     return files;
 }
 
@@ -180,7 +179,9 @@ Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
     TimeBox::check();  // what was cut off must not look like the submission's doing
     writeReports(results, entrant.name);
     ledger_.keepPrint(printOf(entrant.name, submission));
-    ledger_.keepSubmission(entrant.name, filesIn(submission, manifest_), manifest_.id);
+    ledger_.keepSubmission(entrant.name,
+                           takenFiles(collect(grader_.tools().root, manifest_, submission)),
+                           manifest_.id);
     ledger_.keepRecord(entrant.name, {{"assignment", manifest_.id},
                                       {"seed", terms_.seed},
                                       {"unstable", unstable},
@@ -225,7 +226,6 @@ Print Batch::printOf(const std::string& entrant, const Submission& submission) c
     return print;
 }
 
-/// Where the submission's files are, as a folder.
 /// With a secret seed the instructor has a report and a document of their own, with all pictures.
 void Batch::writeReports(std::vector<AssignmentResult>& results, const std::string& entrant) const {
     const fs::path report = ledger_.folderOf(entrant) / "report",

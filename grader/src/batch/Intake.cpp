@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kEndings[] = {".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2"};
 
-bool isPlain(const fs::directory_entry& entry) {
-    return entry.symlink_status().type() == fs::file_type::regular;
+bool isPlain(const fs::path& path) {
+    return typeOf(path) == fs::file_type::regular;
 }
 
 /// The archive that a student's folder stands for.
@@ -23,15 +23,16 @@ std::optional<fs::path> archiveInside(const fs::path& folder, const Manifest& ma
                                       const std::vector<std::string>& known) {
     const auto listed = handedIn(manifest);
     std::optional<fs::path> archive;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (listed.contains(name) || std::find(known.begin(), known.end(), name) != known.end())
+    for (const fs::path& entry : entriesOf(folder)) {
+        const std::string name = entry.filename().string();
+        if (hasFileNamed(listed, name) ||
+            std::find(known.begin(), known.end(), name) != known.end())
             return std::nullopt;
         if (!isPlain(entry) || !stemOfArchive(name))
             continue;
         if (archive)
             return std::nullopt;
-        archive = entry.path();
+        archive = entry;
     }
     return archive;
 }
@@ -45,19 +46,19 @@ bool isTheOnlyFile(const fs::path& file, const Manifest& manifest) {
 Intake takeInPlain(const fs::path& submissions, const Manifest& manifest,
                    const std::vector<std::string>& known) {
     Intake intake;
-    for (const auto& entry : fs::directory_iterator(submissions)) {
-        const std::string name = entry.path().filename().string();
+    for (const fs::path& entry : entriesOf(submissions)) {
+        const std::string name = entry.filename().string();
         if (name.starts_with("."))
             continue;
-        if (entry.symlink_status().type() == fs::file_type::directory)
-            intake.entrants.push_back(entrantOf(name, entry.path(), manifest, known));
+        if (typeOf(entry) == fs::file_type::directory)
+            intake.entrants.push_back(entrantOf(name, entry, manifest, known));
         else if (const auto stem = isPlain(entry) ? stemOfArchive(name) : std::nullopt)
-            intake.entrants.push_back({*stem, entry.path(), EntrantKind::archive});
-        else if (isPlain(entry) && isTheOnlyFile(entry.path(), manifest))
-            intake.entrants.push_back({entry.path().stem().string(),
+            intake.entrants.push_back({*stem, entry, EntrantKind::archive});
+        else if (isPlain(entry) && isTheOnlyFile(entry, manifest))
+            intake.entrants.push_back({entry.stem().string(),
                                        submissions,
                                        EntrantKind::looseFiles,
-                                       {{manifest.submit.front(), entry.path()}}});
+                                       {{manifest.submit.front(), entry}}});
         else
             intake.ignored.push_back(name + ": neither a folder nor an archive");
     }
@@ -91,9 +92,10 @@ Unpacked layOut(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
             return unpackClone(tools, sandbox, job, entrant.path, known);
         case EntrantKind::looseFiles: {
             const fs::path folder = job.work.path() / "submission";
-            fs::create_directories(folder);
-            for (const LooseFile& each : entrant.files)
+            for (const LooseFile& each : entrant.files) {
+                fs::create_directories((folder / each.name).parent_path());
                 fs::copy_file(each.path, folder / each.name);
+            }
             return {folder, "", ""};
         }
         case EntrantKind::folder:

@@ -12,16 +12,25 @@ namespace grader {
 
 namespace {
 
+/// What is larger than may be taken is told by its size alone.
+std::string hashUpTo(std::uintmax_t most, const fs::path& file) {
+    std::error_code none;
+    const auto size = fs::file_size(file, none);
+    return !none && size > most ? fmt::format("{} bytes", size) : sha256(readFile(file));
+}
+
 std::string hashOfFolder(const fs::path& folder) {
     std::string text;
     std::vector<fs::path> files;
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::recursive_directory_iterator(folder))
-            if (entry.is_regular_file())
-                files.push_back(entry.path());
+    std::error_code unreadable;
+    for (fs::recursive_directory_iterator each(folder, unreadable), end; !unreadable && each != end;
+         each.increment(unreadable))
+        if (typeOf(each->path()) == fs::file_type::regular)
+            files.push_back(each->path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)
-        text += file.lexically_relative(folder).string() + "\n" + sha256(readFile(file)) + "\n";
+        text += file.lexically_relative(folder).string() + "\n" + hashUpTo(kLargestArchive, file) +
+                "\n";
     return sha256(text);
 }
 
@@ -29,8 +38,8 @@ std::string hashOfFolder(const fs::path& folder) {
 std::string hashOfReferences(const fs::path& repository) {
     std::string text;
     for (const char* each : {"HEAD", "packed-refs"})
-        if (fs::is_regular_file(fs::symlink_status(repository / each)))
-            text += sha256(readFile(repository / each)) + "\n";
+        if (typeOf(repository / each) == fs::file_type::regular)
+            text += hashUpTo(kLargestArchive, repository / each) + "\n";
     return sha256(text + hashOfFolder(repository / "refs"));
 }
 
@@ -117,20 +126,11 @@ std::string rendererOf(const Toolchain& tools, const Sandbox& sandbox) {
 }
 
 /// What else lies in the submission's folder is named in the report.
-std::string namesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return fmt::format("{}\n", fmt::join(names, "\n"));
-}
-
-/// What is larger than may be taken is told by its size alone.
-std::string hashUpTo(std::uintmax_t most, const fs::path& file) {
-    std::error_code none;
-    const auto size = fs::file_size(file, none);
-    return !none && size > most ? fmt::format("{} bytes", size) : sha256(readFile(file));
+std::string namesIn(const Submission& submission, const fs::path& folder) {
+    std::string names;
+    for (const fs::path& each : submission.entriesOf(folder))
+        names += each.filename().string() + "\n";
+    return names;
 }
 
 std::string textOf(const fs::path& root, const Manifest& manifest, const Entrant& entrant,
@@ -154,7 +154,7 @@ std::string textOf(const fs::path& root, const Manifest& manifest, const Entrant
     for (const StagedFile& file : collect(root, manifest, submission).stage.files)
         if (file.role != Role::provided)
             text += textOf(file);
-    return text + namesIn(submission.folderFor(manifest.id, manifest.id));
+    return text + namesIn(submission, submission.folderFor(manifest.id, manifest.id));
 }
 
 }  // namespace

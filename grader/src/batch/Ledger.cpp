@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <cerrno>
+#include <cstring>
 
 #include <sstream>
 
@@ -40,24 +42,22 @@ void Ledger::keep(const std::string& entrant, const std::optional<Key>& key,
         return;
     // Nothing may be lost by a power failure that the key vouches for.
     const int folder = open(folderOf(entrant).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    syncfs(folder);
-    close(folder);
+    const bool synchronised = folder >= 0 && syncfs(folder) == 0;
+    const int why = errno;
+    if (folder >= 0)
+        close(folder);
+    if (!synchronised)
+        throw Error("{} cannot be made safe: {}", folderOf(entrant).string(), std::strerror(why));
     writeFile(folderOf(entrant) / "key", key->deciding + " " + key->wording + "\n");
 }
 
 void Ledger::keepSubmission(const std::string& entrant,
-                            const std::map<std::string, fs::path>& files,
+                            const std::map<std::string, std::string>& files,
                             const std::string& assignment) const {
     const fs::path home = submissionOf(entrant) / assignment;
     fs::create_directories(home);
-    for (const auto& [name, file] : files) {
-        std::error_code unreadable;
-        if (!fs::is_regular_file(fs::symlink_status(file, unreadable)) ||
-            fs::file_size(file, unreadable) > kLargestFile)
-            continue;
-        fs::create_directories((home / name).parent_path());
-        fs::copy_file(file, home / name, unreadable);
-    }
+    for (const auto& [name, content] : files)
+        writeFile(home / name, content);
 }
 
 std::optional<Json> Ledger::instructorsResult(const std::string& entrant) const {

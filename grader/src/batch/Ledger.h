@@ -42,12 +42,11 @@ public:
     std::optional<Print> print(const std::string& entrant) const;
     void keepPrint(const Print& print) const;
 
-    /// What the submission consisted of, for replay: those of its files that can be read and are
-    /// not larger than what is ever taken. `files`: by name.
+    /// What was taken of the submission, for replay: its files by name, with their contents.
     fs::path submissionOf(const std::string& entrant) const {
         return instructorFolderOf(entrant) / "submission";
     }
-    void keepSubmission(const std::string& entrant, const std::map<std::string, fs::path>& files,
+    void keepSubmission(const std::string& entrant, const std::map<std::string, std::string>& files,
                         const std::string& assignment) const;
 
     /// The document with the paths of all pictures, where students must not see them all.

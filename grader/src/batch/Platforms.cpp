@@ -30,16 +30,16 @@ using Listed = std::map<std::string, fs::path>;  // as handedIn() has them
 std::string withoutRepeat(const std::string& name, const Listed& listed) {
     static const std::regex kRepeat(R"((.+)-\d+(\.[^.]+))");
     std::smatch part;
-    if (!std::regex_match(name, part, kRepeat) || listed.contains(name))
+    if (!std::regex_match(name, part, kRepeat) || hasFileNamed(listed, name))
         return name;
     const std::string plain = part[1].str() + part[2].str();
-    return listed.contains(plain) ? plain : name;
+    return hasFileNamed(listed, plain) ? plain : name;
 }
 
 /// Files of one student that lie among others': one archive stands for itself.
 Entrant entrantOfFiles(std::string name, std::vector<LooseFile> files, const Listed& listed) {
     const bool anyListed = std::any_of(files.begin(), files.end(), [&](const LooseFile& each) {
-        return listed.contains(each.name);
+        return hasFileNamed(listed, each.name);
     });
     const auto archives = std::count_if(files.begin(), files.end(), [](const LooseFile& each) {
         return stemOfArchive(each.name).has_value();
