@@ -1,5 +1,6 @@
 #include "Regions.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace grader {
@@ -11,22 +12,41 @@ struct Span {
     std::size_t begin, end;  // of the inside: whole lines
 };
 
+constexpr std::size_t kLongestId = 64;
+
+/// Where the marks `before`id) stand, by id.
+std::map<std::string, std::vector<std::size_t>> marksOf(const std::string& text,
+                                                        const std::string& before) {
+    std::map<std::string, std::vector<std::size_t>> marks;
+    for (auto at = text.find(before); at != std::string::npos; at = text.find(before, at + 1)) {
+        const std::string rest = text.substr(at + before.size(), kLongestId + 1);
+        const std::string id = rest.substr(0, rest.find(')'));
+        if (!id.empty() && id.size() < rest.size() && id.find('\n') == std::string::npos)
+            marks[id].push_back(at);
+    }
+    return marks;
+}
+
+/// In time that grows with the text alone, however many marks a stranger has put into it.
 std::vector<Span> spansOf(const std::string& text) {
-    static const std::string opening = "// BEGIN TODO(", closing = "// END TODO(";
+    const auto opened = marksOf(text, "// BEGIN TODO("), closed = marksOf(text, "// END TODO(");
+    std::map<std::size_t, std::string> openings;
+    for (const auto& [id, places] : opened)
+        if (places.size() == 1 && closed.contains(id))
+            openings[places.front()] = id;
     std::vector<Span> spans;
-    for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {
-        const auto name = at + opening.size();
-        const auto line = text.find('\n', at);
-        const auto parenthesis = text.find(')', name);
-        if (line == std::string::npos || parenthesis > line)
+    std::size_t line = 0, end = 0;
+    for (const auto& [at, id] : openings) {
+        if (at < end)
+            continue;  // regions do not nest
+        if (line <= at)
+            line = text.find('\n', at);
+        const auto& ends = closed.at(id);
+        const auto close = std::upper_bound(ends.begin(), ends.end(), line);
+        if (line == std::string::npos || close == ends.end())
             continue;
-        const std::string id = text.substr(name, parenthesis - name);
-        const std::string mark = opening + id + ")";
-        const auto close = text.find(closing + id + ")", line);
-        if (id.empty() || close == std::string::npos || text.find(mark) != text.rfind(mark))
-            continue;
-        spans.push_back({id, line + 1, text.rfind('\n', close) + 1});
-        at = close;  // regions do not nest
+        end = *close;
+        spans.push_back({id, line + 1, text.rfind('\n', end) + 1});
     }
     return spans;
 }

@@ -51,6 +51,18 @@ TEST(Regions, AnUnclosedOneIsLeftOutAndHidesNoOther) {
     EXPECT_EQ(withRegion(text, "open", "new\n"), std::nullopt);
 }
 
+TEST(Regions, MarksWithoutEndTakeNoLongerThanTheirText) {
+    // Quadratic, each of these would take minutes.
+    std::string doubled, onOneLine, unclosed;
+    for (int i = 0; i < 150000; ++i) {
+        doubled += "// BEGIN TODO(a)\n";
+        onOneLine += "// BEGIN TODO(a" + std::to_string(i) + ")";
+        unclosed += "// BEGIN TODO(";
+    }
+    for (const std::string& marks : {doubled, onOneLine, unclosed})
+        EXPECT_THAT(regionsOf(marks + std::string(1 << 20, '/') + "// END TODO(a1)"), IsEmpty());
+}
+
 TEST(Regions, ADoubledOneIsLeftOut) {
     const std::string twice =
         "// BEGIN TODO(a)\nx\n// END TODO(a)\n// BEGIN TODO(a)\ny\n// END TODO(a)\n";
