@@ -4,14 +4,18 @@ namespace grader {
 
 namespace {
 constexpr double kSeconds = 60;
-}
+// A repository may come from a stranger: a small one can unfold without end.
+constexpr const char* kLimits[] = {"prlimit", "--as=4294967296", "--cpu=60"};
+}  // namespace
 
 ProcessResult git(const fs::path& folder, const std::vector<std::string>& arguments,
                   std::size_t outputLimit) {
-    std::vector<std::string> command = {"env",       "GIT_TERMINAL_PROMPT=0", "git", "-C", folder,
-                                        "--no-pager"};
+    std::vector<std::string> command(std::begin(kLimits), std::end(kLimits));
+    command.insert(command.end(),
+                   {"env", "GIT_TERMINAL_PROMPT=0", "git", "-C", folder, "--no-pager"});
     command.insert(command.end(), arguments.begin(), arguments.end());
-    return run(command, kSeconds, outputLimit);
+    return run(command, kSeconds,
+               {.outputLimit = outputLimit, .endAtLimit = true, .errorsApart = true});
 }
 
 std::vector<std::string> zeroEnded(const std::string& output) {

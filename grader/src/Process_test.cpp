@@ -18,8 +18,9 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using testing_help::Tree;
 
-ProcessResult shell(const std::string& script, double seconds = 10, std::size_t limit = 1 << 20) {
-    return run({"sh", "-c", script}, seconds, limit);
+ProcessResult shell(const std::string& script, double seconds = 10,
+                    const RunOptions& options = {}) {
+    return run({"sh", "-c", script}, seconds, options);
 }
 
 TEST(Process, GivesOutputErrorsAndExitCode) {
@@ -80,12 +81,37 @@ TEST(Process, ATimeoutKillsGrandchildrenToo) {
     EXPECT_NE(kill(grandchild, 0), 0) << "the grandchild lives";
 }
 
-TEST(Process, OutputBeyondTheLimitEndsIt) {
+TEST(Process, OutputBeyondTheLimitIsDropped) {
+    const ProcessResult result =
+        shell("head -c 100000 /dev/zero; exit 3", 30, {.outputLimit = 1000});
+    EXPECT_EQ(result.output, std::string(1000, '\0'));
+    EXPECT_TRUE(result.cut);
+    EXPECT_EQ(result.exitCode, 3) << "it ended by itself";
+    EXPECT_FALSE(shell("head -c 1000 /dev/zero", 30, {.outputLimit = 1000}).cut);
+}
+
+TEST(Process, OutputBeyondTheLimitEndsItWhereThatIsWanted) {
     const auto start = std::chrono::steady_clock::now();
-    const ProcessResult result = shell("yes", 30, 1000);
+    const ProcessResult result = shell("yes", 30, {.outputLimit = 1000, .endAtLimit = true});
     EXPECT_EQ(result.output.size(), 1000u);
+    EXPECT_TRUE(result.cut);
     EXPECT_FALSE(result.succeeded());
+    EXPECT_FALSE(result.timedOut);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Process, WhatClosesItsOutputIsWaitedForNoLonger) {
+    const auto start = std::chrono::steady_clock::now();
+    const ProcessResult result = shell("exec > /dev/null 2>&1; sleep 60", 0.3);
+    EXPECT_TRUE(result.timedOut);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_EQ(shell("exec > /dev/null 2>&1; sleep 0.2; exit 5").exitCode, 5);
+}
+
+TEST(Process, ErrorsCanBeKeptApart) {
+    const ProcessResult result = shell("echo out; echo err >&2", 10, {.errorsApart = true});
+    EXPECT_EQ(result.output, "out\n");
+    EXPECT_EQ(result.errors, "err\n");
 }
 
 TEST(Process, CpuTimeCountsChildrenThatEnded) {

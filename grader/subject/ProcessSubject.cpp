@@ -153,9 +153,7 @@ private:
             dup2(inherited, kRunnerDescriptor);
             close_range(kRunnerDescriptor + 1, ~0U, 0);
             execvp(arguments[0], arguments.data());
-            const std::string message =
-                std::string("cannot start ") + arguments[0] + ": " + std::strerror(errno) + "\n";
-            [[maybe_unused]] const auto written = write(2, message.data(), message.size());
+            dprintf(2, "cannot start %s: %s\n", arguments[0], std::strerror(errno));
             _exit(127);
         }
         close(channel[1]);
@@ -171,13 +169,16 @@ private:
     std::string stop() {
         if (pid_ < 0)
             return {};
-        close(channel_);  // a healthy runner ends by itself
-        int status = 0;
-        for (int waited = 0; waited < 50 && waitpid(pid_, &status, WNOHANG) == 0; ++waited)
-            usleep(1000);
+        close(channel_);    // a healthy runner ends by itself
+        siginfo_t ended{};  // not reaped: its number is its own until the end
+        for (int waited = 0; waited < 50 && ended.si_pid == 0; ++waited) {
+            waitid(P_PID, id_t(pid_), &ended, WEXITED | WNOWAIT | WNOHANG);
+            if (ended.si_pid == 0)
+                usleep(1000);
+        }
         kill(pid_, SIGKILL);  // it may not lead its group yet
         kill(-pid_, SIGKILL);
-        waitpid(pid_, &status, 0);
+        waitpid(pid_, nullptr, 0);
         endAllIn(limits_.cgroup);
         std::string said(kKeptErrors, '\0');
         const ssize_t got = read(errors_, said.data(), said.size());

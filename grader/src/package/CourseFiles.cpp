@@ -20,11 +20,11 @@ namespace {
 /// What git says about the course; throws Error where it says no.
 std::string asked(const fs::path& root, const std::vector<std::string>& arguments) {
     const ProcessResult ran = git(root, arguments);
-    if (!ran.succeeded())
+    if (!ran.succeeded() || ran.cut)
         throw Error(
             "{}: a package is made of what git keeps, and git says: {}Make it a repository "
             "(git init, git add, git commit), or use a clone.",
-            root.string(), ran.output);
+            root.string(), ran.errors);
     return ran.output;
 }
 
