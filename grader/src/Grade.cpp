@@ -161,10 +161,11 @@ Grader::StageResult Grader::gradeStage(const Manifest& manifest, const Stage& st
     for (std::size_t i = 0; i < again.checks.size(); ++i) {
         CheckResult& check = again.checks[i];
         const CheckResult& before = first.checks.at(i);
-        const bool submissionHadRun = check.kind != "frame" || again.couldDraw;
+        const bool ofTheMachine = check.kind == "frame" && !again.couldDraw && !honest.couldDraw;
         if (isDoubtful(check) && !isDoubtful(before))
             check = before;
-        else if (isGradersFault(check) && submissionHadRun && !isGradersFault(honest.checks.at(i)))
+        else if (isGradersFault(check) && !ofTheMachine && honest.build.ok &&
+                 !isGradersFault(honest.checks.at(i)))
             callTampered(check);
     }
     return again;
@@ -223,13 +224,15 @@ const std::set<std::string>& Grader::publicFrames(const Manifest& manifest,
                                                   std::uint64_t seed) const {
     const FrameRules& drawn = rules(manifest, seed);
     const std::scoped_lock lock(truthMutex_);
-    const auto [known, isNew] = publicFrames_.try_emplace({manifest.id, seed});
-    if (isNew) {
+    auto known = publicFrames_.find({manifest.id, seed});
+    if (known == publicFrames_.end()) {
         const Pictures published = loadReferences(tools_, manifest);
+        std::set<std::string> same;
         for (const Frame& frame : manifest.frames)
             if (drawn.at(frame.id).truth().reference.rgba ==
                 published.at(referenceName(frame)).rgba)
-                known->second.insert(frame.id);
+                same.insert(frame.id);
+        known = publicFrames_.emplace(std::pair{manifest.id, seed}, std::move(same)).first;
     }
     return known->second;
 }

@@ -104,11 +104,14 @@ std::string lastLine(const std::string& text) {
 }
 
 /// What is not a finite number is null in JSON.
+double numberOf(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 std::vector<double> numbersOf(const Json& json) {
     std::vector<double> numbers;
     for (const Json& each : json)
-        numbers.push_back(each.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                         : each.get<double>());
+        numbers.push_back(numberOf(each));
     return numbers;
 }
 
@@ -131,7 +134,7 @@ TestOutcome testOutcomeOf(const Json& json) {
     test.verdict = {judge::statusFromString(json.at("status")), json.at("message")};
     if (const Json& comparison = json.at("comparison"); !comparison.is_null())
         test.comparison = {comparison.at("what"), rowsOf(comparison.at("expected")),
-                           rowsOf(comparison.at("got")), comparison.at("tolerance")};
+                           rowsOf(comparison.at("got")), numberOf(comparison.at("tolerance"))};
     for (const Json& each : json.at("evidence"))
         test.evidence.push_back(
             {each.at("key"), each.at("outcome"), each.at("type"), numbersOf(each.at("numbers"))});
@@ -185,16 +188,26 @@ std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const Buil
     command.insert(command.end(), runner.begin(), runner.end());
     fs::remove(resultFile);
     const ProcessResult ran = run(command, kJudgeSeconds);
-    if (!fs::exists(resultFile))
-        throw Error("the test program {} wrote no result ({}): {}", command.front(),
-                    ran.timedOut ? "it did not end" : fmt::format("exit {}", ran.exitCode),
-                    lastLine(ran.output));
-    std::vector<TestOutcome> outcomes;
-    const Json document = parseJsonFile(resultFile.string());
-    for (const Json& each : document.at("checks"))
-        outcomes.push_back(testOutcomeOf(each));
-    requireSuites(manifest, outcomes);
-    return outcomes;
+    try {
+        if (!fs::exists(resultFile))
+            throw Error("the test program {} wrote no result ({}): {}", command.front(),
+                        ran.timedOut ? "it did not end"
+                        : ran.signal ? fmt::format("signal {}", ran.signal)
+                                     : fmt::format("exit {}", ran.exitCode),
+                        lastLine(ran.output));
+        const Json document = parseJsonFile(resultFile.string());
+        std::vector<TestOutcome> outcomes;
+        for (const Json& each : document.at("checks"))
+            outcomes.push_back(testOutcomeOf(each));
+        requireSuites(manifest, outcomes);
+        return outcomes;
+    } catch (const std::exception& fault) {
+        // It had read a submission's answers: whose fault it is shows who else meets it.
+        auto outcomes = listTests(manifest);
+        for (TestOutcome& each : outcomes)
+            each.verdict = {Status::graderError, fault.what()};
+        return outcomes;
+    }
 }
 
 std::vector<TestOutcome> Observer::listTests(const Manifest& manifest) const {
