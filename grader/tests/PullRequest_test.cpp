@@ -32,6 +32,7 @@ protected:
         write("grader/README", "the grader");
         commit("the course", "HEAD:main");
         sh("git clone -q hub.git base");
+        eventsBase_ = commitOf("base", "HEAD");
         sh("git -C student checkout -q -b work");
     }
 
@@ -75,7 +76,7 @@ protected:
                             {"pull_request",
                              {{"number", 7},
                               {"title", "`" + attack + "` $(" + attack + ")"},
-                              {"base", {{"sha", commitOf("base", "HEAD")}}},
+                              {"base", {{"sha", eventsBase_}}},
                               {"head", {{"sha", head}, {"ref", "$(" + attack + ")"}}}}}};
         const fs::path folder = work_.path();
         writeFile(folder / "event.json", event.dump());
@@ -94,6 +95,7 @@ protected:
     }
 
     WorkFolder work_;
+    std::string eventsBase_;  ///< which commit of the base the event names
 };
 
 TEST_F(PullRequestTest, SolvedPassesAndTheHeadIsNeverCheckedOut) {
@@ -261,12 +263,43 @@ TEST_F(PullRequestTest, WhatAStudentPrintsIsNeitherACommandNorMarkup) {
                 AllOf(Not(HasSubstr("\n::error::forged")), Not(HasSubstr("::add-mask"))));
 }
 
+TEST_F(PullRequestTest, WhatTheBaseChangedMeanwhileIsNotTheStudents) {
+    // The instructor changes the starter of 07, the student merges that and works on 06; the event
+    // still names the base of before.
+    sh("cd base && echo '// mended' >> assignments/07-camera/Camera.cpp && git commit -qam mended "
+       "&& git push -q origin main && cd ../student && git pull -q origin main");
+    write(kRotation, solved(kRotation));
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, HasSubstr("## 06-rotation Rotation: 100 / 100"));
+    EXPECT_THAT(answer.summary, Not(HasSubstr("07-camera")));
+}
+
+TEST_F(PullRequestTest, ThatThereIsNoMarkIsSaidInTheSummaryToo) {
+    write(kRotation, solved(kRotation));
+    commit("my work", "+HEAD:refs/pull/7/head");
+    const fs::path summary = work_.path() / "fault";
+    const lab::Graded fault = lab::runGrader({"pull-request", "--base", std::string(40, 'a'),
+                                              "--head", commitOf("student", "HEAD"), "--repository",
+                                              student().string(), "--summary", summary.string()});
+    EXPECT_EQ(fault.exitCode, 2);
+    EXPECT_THAT(fault.text, HasSubstr("has no commit " + std::string(40, 'a') + ", the base"));
+    EXPECT_THAT(readFile(summary), HasSubstr("this is not your mistake, and no mark"));
+}
+
 TEST_F(PullRequestTest, ACommitThatIsGoneOrNoPullRequestIsAClearError) {
     write(kRotation, solved(kRotation));
     commit("my work", "+HEAD:refs/pull/7/head");
     const Answer answer = graded(std::string(40, 'a'));
     EXPECT_EQ(answer.exitCode, 2);
     EXPECT_THAT(answer.log, HasSubstr("has moved on from aaaa"));
+    writeFile(work_.path() / "event.json", "{}");
+    const ProcessResult script =
+        run({"env", "GITHUB_EVENT_PATH=" + (work_.path() / "event.json").string(),
+             (lab::root() / ".github/actions/grade/grade.sh").string(), COURSE_GRADER},
+            60);
+    EXPECT_EQ(script.exitCode, 2);
+    EXPECT_THAT(script.output, HasSubstr("does not tell of a pull request"));
     const lab::Graded none = lab::runGrader({"pull-request", "--event", "/dev/null"});
     EXPECT_EQ(none.exitCode, 2);
     EXPECT_THAT(none.text, HasSubstr("expected the event of a pull request"));

@@ -14,6 +14,7 @@
 #include "pull_request/Markdown.h"
 #include "report/HtmlReport.h"
 #include "report/TerminalReport.h"
+#include "report/Words.h"
 
 namespace grader {
 
@@ -70,8 +71,8 @@ std::string outputsOf(const PullRequestResult& graded) {
         points += each.points();
         most += each.automaticPoints();
     }
-    return fmt::format("points={:.4g}\nmax-points={:.4g}\npassed={}\n", points, most,
-                       graded.passed() && !graded.graderFailed());
+    return fmt::format("points={}\nmax-points={}\npassed={}\n", showPoints(points),
+                       showPoints(most), graded.passed() && !graded.graderFailed());
 }
 
 void tell(const PullRequestResult& graded, const fs::path& files, const Options& options) {
@@ -90,7 +91,7 @@ void tell(const PullRequestResult& graded, const fs::path& files, const Options&
         appendTo(options.outputs, outputsOf(graded));
 }
 
-int gradePullRequest(const Options& options) {
+int gradeChanges(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const PullRequest request = requestOf(options, tools.root);
     const auto sandbox =
@@ -109,14 +110,25 @@ int gradePullRequest(const Options& options) {
     for (const std::string& id : graded.changes.assignments)
         graded.results.push_back(grader.grade(loadAssignment(tools.root, id),
                                               Submission{files.path(), true}, kPublishedSeed));
-    tell(graded, files.path(), options);
     if (!options.report.empty() && !graded.results.empty()) {
         writeReport(graded.results, options.report);
         writeFile(fs::path(options.report) / "result.json", toJson(graded.results));
     }
+    tell(graded, files.path(), options);
     if (graded.graderFailed())
         return kGraderFailed;
     return graded.passed() ? kFullMarks : kSomethingLost;
+}
+
+/// Whoever looks at the summary alone reads that there is no mark, too.
+int gradePullRequest(const Options& options) {
+    try {
+        return gradeChanges(options);
+    } catch (const std::exception&) {
+        if (!options.summary.empty())
+            std::ofstream(options.summary, std::ios::app) << summaryOfFault();
+        throw;
+    }
 }
 
 }  // namespace

@@ -26,14 +26,15 @@ void refuseOddName(const std::string& commit) {
 }
 
 void refuseAbsent(const PullRequest& request) {
-    for (const std::string& commit : {request.base, request.head}) {
+    const auto require = [&](const std::string& commit, const char* whose, const char* fetch) {
         refuseOddName(commit);
         const ProcessResult ran = git(request.repository, {"cat-file", "-e", commit + "^{commit}"});
         if (!ran.succeeded())
-            throw Error(
-                "{} has no commit {}: fetch it first (git fetch origin pull/NUMBER/head)\n{}",
-                request.repository.string(), commit, ran.output);
-    }
+            throw Error("{} has no commit {}, the {}: fetch it first ({})\n{}",
+                        request.repository.string(), commit, whose, fetch, ran.errors);
+    };
+    require(request.base, "base", "git fetch origin");
+    require(request.head, "head", "git fetch origin pull/NUMBER/head");
 }
 
 /// Where the branch left the base's; the base itself where they have nothing in common.
@@ -80,7 +81,8 @@ std::vector<Entry> entriesOf(const std::string& output) {
     return entries;
 }
 
-/// What the head's branch changed, below `paths` or anywhere. Cut where the list is too long.
+/// What the head's branch changed, below `paths` or anywhere. Where git was ended before it was
+/// done, as for a tree that unfolds without end, the list is cut.
 std::vector<Entry> differences(const PullRequest& request, const std::string& origin,
                                const std::vector<std::string>& options,
                                const std::vector<std::string>& paths, bool& cut) {
@@ -90,11 +92,18 @@ std::vector<Entry> differences(const PullRequest& request, const std::string& or
     command.insert(command.end(), {origin, request.head, "--"});
     command.insert(command.end(), paths.begin(), paths.end());
     const ProcessResult ran = git(request.repository, command, kMostListed);
-    cut = ran.output.size() >= kMostListed;
-    if (!ran.succeeded() && !cut)
-        throw Error("{}: git cannot compare {} with {}: {}", request.repository.string(), origin,
-                    request.head, ran.output);
+    cut = !ran.succeeded();
     return entriesOf(ran.output);
+}
+
+/// The files of students that were renamed, and to what.
+std::map<std::string, std::string> renamesIn(const PullRequest& request,
+                                             const std::string& origin) {
+    std::map<std::string, std::string> renames;
+    bool cut = false;
+    for (const Entry& each : differences(request, origin, {"-M", "--diff-filter=R"}, {}, cut))
+        renames[each.path] = each.renamedTo;
+    return renames;
 }
 
 }  // namespace
@@ -109,25 +118,34 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
     const auto taken = studentPaths(course);
     Changes changes;
     bool cut = false;
-    std::set<std::string> changed;
-    for (const Entry& each : differences(request, origin, {}, keysOf(taken), cut))
-        if (const auto at = taken.find(each.path); at != taken.end())
-            changed.insert(at->second);  // else it lies in a folder that took a file's name
+    std::set<std::string> changed, deleted;
+    for (const Entry& each : differences(request, origin, {}, keysOf(taken), cut)) {
+        const auto at = taken.find(each.path);
+        if (at == taken.end())
+            continue;  // it lies in a folder that took a file's name
+        changed.insert(at->second);
+        if (each.letter == 'D')
+            deleted.insert(each.path);
+    }
+    if (cut)
+        throw Error("{}: git cannot compare {} with {}", request.repository.string(), origin,
+                    request.head);
     changes.assignments.assign(changed.begin(), changed.end());
-
-    for (const Entry& each : differences(request, origin, {"-M"}, {}, changes.unusedCut)) {
-        const bool ours = taken.contains(each.path);
-        if (ours && each.letter == 'R')
-            changes.notices.push_back(
-                fmt::format("{} was renamed to {}: it is read only under its old name", each.path,
-                            each.renamedTo));
-        else if (ours && each.letter == 'D')
-            changes.notices.push_back(fmt::format("{} was deleted", each.path));
-        const std::string& path = each.renamedTo.empty() ? each.path : each.renamedTo;
-        if (taken.contains(path))
+    const auto renames =
+        deleted.empty() ? std::map<std::string, std::string>() : renamesIn(request, origin);
+    for (const std::string& path : deleted) {
+        const auto renamed = renames.find(path);
+        changes.notices.push_back(
+            renamed == renames.end()
+                ? fmt::format("{} was deleted", path)
+                : fmt::format("{} was renamed to {}: it is read only under its old name", path,
+                              renamed->second));
+    }
+    for (const Entry& each : differences(request, origin, {}, {}, changes.unusedCut)) {
+        if (taken.contains(each.path))
             continue;
         if (changes.unused.size() < kMostUnused)
-            changes.unused.push_back(path);
+            changes.unused.push_back(each.path);
         else
             changes.unusedCut = true;
     }
@@ -143,7 +161,7 @@ std::vector<std::string> takeFiles(const PullRequest& request, const std::vector
     const ProcessResult list = git(request.repository, command);
     if (!list.succeeded())
         throw Error("{}: git cannot list {}: {}", request.repository.string(), request.head,
-                    list.output);
+                    list.errors);
     std::vector<std::string> notices;
     for (const std::string& line : zeroEnded(list.output)) {
         std::istringstream fields(line.substr(0, line.find('\t')));
@@ -164,9 +182,8 @@ std::vector<std::string> takeFiles(const PullRequest& request, const std::vector
         const ProcessResult content = git(request.repository, {"cat-file", "blob", object});
         if (!content.succeeded())
             throw Error("{}: git cannot read {}: {}", request.repository.string(), path,
-                        content.output);
+                        content.errors);
         const fs::path target = folder / path.substr(std::string(kAssignments).size());
-        fs::create_directories(target.parent_path());
         writeFile(target, content.output);
     }
     return notices;

@@ -17,19 +17,19 @@ struct PullRequest {
 
 /// What a pull request changes, counted from where its branch left the base's.
 struct Changes {
-    std::vector<std::string> assignments;  ///< those with a changed `submit` file, in order
-    std::vector<std::string> unused;       ///< changed paths that are no `submit` file
+    std::vector<std::string> assignments;  ///< those with a changed file of a student, in order
+    std::vector<std::string> unused;       ///< all other changed paths
     bool unusedCut = false;                ///< there are more than can be listed
-    std::vector<std::string> notices;  ///< renamed and deleted `submit` files, one sentence each
+    std::vector<std::string> notices;  ///< files of students, renamed or deleted: one sentence each
 };
 
 /// Throws Error where a commit is not in the repository, or is no full name of one (40 or 64
 /// hexadecimal digits).
 Changes changesOf(const PullRequest& request, const std::vector<Manifest>& course);
 
-/// Writes the `submit` files of all assignments, as they are at the head, into one folder for each
-/// assignment below `folder`. Anything but a regular file of at most kLargestFile bytes is left out
-/// and named: one sentence each is returned.
+/// Writes what students hand in or carry (`submit`, `inherits`) of all assignments, as they are at
+/// the head, into one folder for each assignment below `folder`. Anything but a regular file of at
+/// most kLargestFile bytes is left out and named: one sentence each is returned.
 std::vector<std::string> takeFiles(const PullRequest& request, const std::vector<Manifest>& course,
                                    const fs::path& folder);
 

@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kMostUnusedShown = 20;
 constexpr std::size_t kMostChecksShown = 3;  // of one task; the report has all
 constexpr int kMostAnnotations = 10;         // of each kind
+constexpr const char* kFault =
+    "The grader itself failed; this is not your mistake, and no mark. Please tell your "
+    "instructor.\n\n";
 
 const Diagnostic* firstError(const AssignmentResult& result) {
     const auto found =
@@ -91,9 +94,7 @@ std::string sectionOf(const AssignmentResult& result, double passFrom) {
         fmt::format("## {} {}: {}\n\n", result.assignment, escapedMarkdown(result.title),
                     scoreText(result.points(), result.maxPoints()));
     if (result.graderFailed())
-        return text +
-               "The grader itself failed; this is not your mistake, and no mark. Please tell your "
-               "instructor.\n\n";
+        return text + kFault;
     text += fmt::format(
         "{} from {} points on.\n\n",
         passes(result, passFrom) ? "Passed; the check passes" : "Not passed yet; the check passes",
@@ -147,11 +148,14 @@ fs::path studentFile(const fs::path& files, const std::string& assignment,
                      const std::string& name) {
     if (name.empty() || fs::path(name).is_absolute() || name.find("..") != std::string::npos)
         return {};
-    if (fs::exists(files / assignment / name))
+    const auto isThere = [&](const fs::path& folder) {
+        return typeOf(folder / name) == fs::file_type::regular;
+    };
+    if (isThere(files / assignment))
         return fs::path(assignment) / name;
-    for (const auto& folder : fs::directory_iterator(files))
-        if (fs::exists(folder.path() / name))
-            return folder.path().filename() / name;
+    for (const fs::path& folder : entriesOf(files))
+        if (isThere(folder))
+            return folder.filename() / name;
     return {};
 }
 
@@ -197,6 +201,10 @@ bool PullRequestResult::graderFailed() const {
                        [](const AssignmentResult& each) { return each.graderFailed(); });
 }
 
+std::string summaryOfFault() {
+    return std::string("## Not graded\n\n") + kFault;
+}
+
 std::string summaryOf(const PullRequestResult& graded) {
     std::string text;
     if (graded.results.empty())
@@ -214,6 +222,17 @@ std::string summaryOf(const PullRequestResult& graded) {
 
 std::string annotationsOf(const PullRequestResult& graded, const fs::path& files) {
     Kind errors("error"), warnings("warning"), notices("notice");
+    // These first: what is beyond the most that are shown is lost.
+    for (const std::string& each : graded.changes.notices)
+        notices.add("title=not taken", each);
+    if (!graded.changes.unused.empty())
+        notices.add("title=not used",
+                    fmt::format("changes to {} have no effect on the result{}",
+                                graded.changes.unused.front(),
+                                graded.changes.unused.size() == 1
+                                    ? ""
+                                    : fmt::format(", nor those to {} other files",
+                                                  graded.changes.unused.size() - 1)));
     for (const AssignmentResult& result : graded.results) {
         for (const Diagnostic& each : result.diagnostics)
             if (each.severity == "error")
@@ -234,16 +253,6 @@ std::string annotationsOf(const PullRequestResult& graded, const fs::path& files
                      lossOf(task) + (hint.empty() ? "" : "\nHint: " + hint));
         }
     }
-    for (const std::string& each : graded.changes.notices)
-        notices.add("title=not taken", each);
-    if (!graded.changes.unused.empty())
-        notices.add("title=not used",
-                    fmt::format("changes to {} have no effect on the result{}",
-                                graded.changes.unused.front(),
-                                graded.changes.unused.size() == 1
-                                    ? ""
-                                    : fmt::format(", nor those to {} other files",
-                                                  graded.changes.unused.size() - 1)));
     return errors.lines() + warnings.lines() + notices.lines();
 }
 

@@ -23,6 +23,8 @@ struct PullRequestResult {
 /// each task with its sentences, the first compile error, and what of the pull request was not
 /// used.
 std::string summaryOf(const PullRequestResult& graded);
+/// The same where there is no result, by a fault of the grader's or of how it was called.
+std::string summaryOfFault();
 
 /// Annotations, a workflow command a line: compile errors at the student's lines, and what each
 /// task lost at its TODO region. At most ten errors, ten warnings and ten notices: GitHub shows no
