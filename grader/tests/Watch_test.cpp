@@ -169,6 +169,23 @@ TEST_F(Watch, TheLastOfManySavesGetsAVerdict) {
     EXPECT_EQ(terminal.untilSilent(1.0), "");
 }
 
+TEST_F(Watch, WhatAGradingReadHalfWrittenIsGradedAgain) {
+    PseudoTerminal terminal(command("06-rotation"));
+    terminal.waitFor(kWaiting);
+    // Saved twice, as an editor does that formats: the second time the file is empty for a moment,
+    // and the grading of the first save begins within these milliseconds.
+    for (int ms = 14; ms < 29; ++ms) {
+        const std::string text = solved(kRotation) + "// " + std::to_string(ms) + "\n";
+        replace(kRotation, text);
+        wait(ms);
+        overwrite(kRotation, "");
+        wait(4);
+        overwrite(kRotation, text);
+        const std::string verdicts = terminal.waitFor(kWaiting) + terminal.untilSilent(0.7);
+        EXPECT_GT(verdicts.rfind("100 / 100") + 1, verdicts.rfind(" 0 / 100") + 1) << verdicts;
+    }
+}
+
 TEST_F(Watch, AnEndlessLoopIsAbandonedWhenItIsMended) {
     PseudoTerminal terminal(command("06-rotation"));
     terminal.waitFor(kWaiting);

@@ -17,7 +17,9 @@
 // Events only wake. What decides is the contents of the files: they are compared with those that
 // the last grading began with, once there has been silence for a moment (kQuiet). A file that is
 // gone or empty for a moment gets a little longer (kPatience). So neither a touch nor a save of
-// the same text grades anything, and whatever happens meanwhile, the last state is graded.
+// the same text grades anything, and whatever happens meanwhile, the last state is graded. Only
+// what is written while a grading is under way counts whatever it says: that grading may have read
+// the file half written, though before and after it is the same.
 
 #include "watch/Watch.h"
 
@@ -138,6 +140,7 @@ private:
         runningIsNews_ = std::exchange(one.saved, false);
         one.graded = contentsOf(one.files);
         running_ = &one;
+        mayHaveReadHalf_ = false;
         // While several are graded for the first time, nobody knows yet which one to show.
         const bool page =
             pageWanted_ && &one == &watched_[current_] && (started_ || watched_.size() == 1);
@@ -237,7 +240,7 @@ private:
         for (std::size_t i = 0; i < watched_.size(); ++i) {
             Watched& one = watched_[i];
             const Contents now = contentsOf(one.files);
-            if (now == one.graded)
+            if (now == one.graded && !(mayHaveReadHalf_ && &one == running_))
                 continue;
             waits = waits || (patient && looksUnfinished(one.graded, now));
             const bool own = one.ownChanged(now);
@@ -250,6 +253,7 @@ private:
         if (waits)
             return;
         pendingSince_.reset();
+        mayHaveReadHalf_ = false;
         for (Watched* one : changed) {
             one->due = true;
             if (one == running_ && grading_ && abandoned_ < kMostAbandoned) {
@@ -287,8 +291,10 @@ private:
         if (isInBackground())
             keys_.resume();
         const auto has = [&](int which) { return ready > 0 && all[which].revents != 0; };
-        if (has(0) && fileWatch_.takeEvents())
+        if (has(0) && fileWatch_.takeEvents()) {
             noteChange();
+            mayHaveReadHalf_ = mayHaveReadHalf_ || grading_;
+        }
         if (ready == 0 && !somethingIsDue && !pendingSince_)
             noteChange();  // the system does not tell of every change
         if (has(1))
@@ -384,7 +390,8 @@ private:
 
     std::optional<Clock::time_point> pendingSince_;  ///< since when the files may have changed
     Clock::time_point lastEvent_;
-    bool unfinished_ = false;  ///< an editor seems to be in the middle of writing
+    bool unfinished_ = false;       ///< an editor seems to be in the middle of writing
+    bool mayHaveReadHalf_ = false;  ///< something was written while running_ was graded
 
     bool pageWanted_, toOpen_;
     std::optional<std::size_t> pageOf_;  ///< the assignment that the page shows
