@@ -1,7 +1,7 @@
 # course_add_assignment(NN-name): everything that assignment.json does not say itself.
 #
 #   NN-name             its window, from the student's files in assignments/
-#   NN-name_solution    the same window from solutions/, where those are present
+#   NN-name_solution    the same window from solutions/, where all that it is made of is there
 #   NN-name_tests       the judge's test program: public tests, and hidden ones where present
 #   NN-name_debug       the same tests with the student's files linked in, for a debugger
 
@@ -107,7 +107,14 @@ function(course_add_assignment id)
     endif()
 
     course_add_window(${id} ${id} assignments)
-    if(EXISTS ${solution})
+    course_student_files(${id} solutions solved inherited)
+    set(missing)
+    foreach(file IN LISTS solved inherited)
+        if(NOT EXISTS ${file})
+            list(APPEND missing ${file})
+        endif()
+    endforeach()
+    if(NOT missing)
         course_add_window(${id}_solution ${id} solutions)
         set_property(GLOBAL APPEND PROPERTY COURSE_SOLUTION_WINDOWS ${id}_solution)
     endif()

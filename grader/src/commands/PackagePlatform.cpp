@@ -62,6 +62,9 @@ void package(const Kind& kind, const Options& options) {
             options.seed, manifest.id, kPublishedSeed);
     refuseUnknownChecks(tools, manifest);
     const CourseFiles course = committedFiles(tools.root, kUnused);
+    if (!course.files.contains("assignments/" + manifest.id + "/assignment.json"))
+        throw Error("assignments/{} is not committed, and a package is made of what is",
+                    manifest.id);
     const CourseFiles made = kind.make({course, manifest, options.seed});
     const fs::path out = options.out.empty() ? kind.out : options.out;
     if (!out.parent_path().empty())

@@ -28,8 +28,7 @@ int packageStudents(const Options& options) {
     std::cout << fmt::format("{}: {} files of commit {}, {}\n", options.out, copy.files.size(),
                              copy.commit.substr(0, 12),
                              solved.empty() ? "no solution among them"
-                                            : fmt::format("with the solutions of {} in the "
-                                                          "starters' places",
+                                            : fmt::format("with the solutions of {} in solutions/",
                                                           fmt::join(solved, ", ")));
     return kFullMarks;
 }

@@ -149,13 +149,26 @@ GivenSolutions givenSolutions(const CourseFiles& all, const fs::path& root,
     return given;
 }
 
-void refuseLeaks(const CourseFiles& copy, const CourseFiles& all,
-                 const std::vector<std::string>& known, const StudentCopyWish& wish,
-                 const GivenSolutions& given) {
-    std::vector<std::string> openFolders = {"common/"};
+/// What may say the same as a solution: starters, and the framework's code.
+CourseFiles openFiles(const CourseFiles& all, const fs::path& root,
+                      const std::vector<std::string>& known) {
+    static const std::vector<std::string> code = {".cpp", ".h", ".vert", ".frag"};
+    CourseFiles open;
+    for (const auto& [path, file] : partOf(all, {"common/"}).files)
+        if (isIn(code, fs::path(path).extension().string()))
+            open.files[path] = file;
     for (const std::string& id : known)
-        openFolders.push_back("assignments/" + id + "/");
-    CourseFiles secret = partOf(all, {"solutions/"}), open = partOf(all, openFolders);
+        for (const std::string& name : loadAssignment(root, id).submit) {
+            const std::string path = "assignments/" + id + "/" + name;
+            if (const auto starter = all.files.find(path); starter != all.files.end())
+                open.files[path] = starter->second;
+        }
+    return open;
+}
+
+void refuseLeaks(const CourseFiles& copy, const CourseFiles& all, CourseFiles open,
+                 const StudentCopyWish& wish, const GivenSolutions& given) {
+    CourseFiles secret = partOf(all, {"solutions/"});
     for (const std::string& id : wish.withSolutions)
         secret.remove("solutions/" + id);
     for (const auto& [path, file] : given.held.files)
@@ -175,10 +188,14 @@ void refuseLeaks(const CourseFiles& copy, const CourseFiles& all,
 }  // namespace
 
 CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
-    const auto known = knownAssignments(root), included = includedIn(known, wish.upto);
+    const CourseFiles all = committedFiles(root);
+    auto known = knownAssignments(root);
+    std::erase_if(known, [&](const std::string& id) {
+        return !all.files.contains("assignments/" + id + "/assignment.json");
+    });
+    const auto included = includedIn(known, wish.upto);
     refuseUnknown(known, included, wish);
     refuseMissing(root, included);
-    const CourseFiles all = committedFiles(root);
     CourseFiles copy = committedFiles(root, "instructors");
     for (const std::string& id : known)
         if (!isIn(included, id)) {
@@ -190,7 +207,7 @@ CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
         copy.files[path] = file;
     layOver(copy, all, root, included);
     cutLinks(copy, all);
-    refuseLeaks(copy, all, known, wish, given);
+    refuseLeaks(copy, all, openFiles(all, root, known), wish, given);
     return copy;
 }
 
