@@ -32,7 +32,8 @@ kit_copy(${CMAKE_CURRENT_SOURCE_DIR}/prelude.h ${KIT}/prelude/prelude.h)
 # The prelude is compiled with the very flags of a student's file, or the compiler ignores it.
 add_custom_command(OUTPUT ${KIT}/prelude/prelude.h.gch
     COMMAND ${CMAKE_CXX_COMPILER} ${STUDENT_GRADING_FLAGS} -x c++-header ${KIT}/prelude/prelude.h
-            -o ${KIT}/prelude/prelude.h.gch
+            -o ${KIT}/prelude/prelude.h.gch -MD -MF ${KIT}/prelude/prelude.d
+    DEPFILE ${KIT}/prelude/prelude.d
     DEPENDS ${KIT}/prelude/prelude.h ${PROJECT_SOURCE_DIR}/cmake/StudentFlags.cmake VERBATIM)
 
 add_custom_command(OUTPUT ${KIT}/lib/libcg.a

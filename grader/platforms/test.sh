@@ -108,6 +108,17 @@ commit "A misspelt check"
 run_packer 2 package-gradescope 06-rotation x.zip
 expect "the unknown check and the known ones" \
     'output.includes("\"Rotation.DrawnTurn\"") && output.includes("Rotation.DrawnTurns")'
+git -C "$copy" checkout -q HEAD~1
+mkdir "$copy/assignments/11-new"
+cp "$copy/assignments/06-rotation/assignment.json" "$copy/assignments/11-new"
+run_packer 2 package-gradescope 11-new x.zip
+expect "what is not committed" 'output.includes("assignments/11-new")'
+rm -r "$copy/assignments/11-new"
+git -C "$copy" checkout -q -
+case_name="files that belong in folders"
+run_packer 0 package-prairielearn 10-lighting lighting
+cp "$work/lighting/README.md" "$work/output"
+expect "their names as browsers give them" 'output.includes("file-names=\"lighting.frag\"")'
 mv "$copy/solutions" "$work/solutions"
 run_packer 2 package-gradescope 06-rotation x.zip --seed 5
 expect "what the seed needs" 'output.includes("--seed 5 needs solutions/06-rotation")'

@@ -308,7 +308,8 @@ CgroupHome::~CgroupHome() {
 Cgroup::Cgroup(const CgroupLimits& limits, const CgroupHome& home) {
     if (home.folder().empty())
         return;
-    folder_ = home.folder() / std::to_string(home.next());
+    // A grading that was killed (--watch) may have left its own, with counters that are not ours.
+    folder_ = home.folder() / fmt::format("{}-{}", getpid(), home.next());
     std::error_code failed;
     fs::create_directory(folder_, failed);
     if (failed)

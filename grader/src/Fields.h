@@ -27,7 +27,9 @@ template <>
 struct FieldKind<int> {
     static std::string name() { return "a whole number"; }
     static bool holds(const Json& json) {
-        return json.is_number_integer() && std::in_range<int>(json.get<std::int64_t>());
+        return json.is_number_unsigned()
+                   ? std::in_range<int>(json.get<std::uint64_t>())
+                   : json.is_number_integer() && std::in_range<int>(json.get<std::int64_t>());
     }
 };
 template <>

@@ -86,6 +86,17 @@ AssignmentLimits readLimits(Fields fields) {
     limits.memoryMib = fields.get<int>("memory_mib", limits.memoryMib);
     limits.outputKib = fields.get<int>("output_kib", limits.outputKib);
     fields.done();
+    constexpr int kMostSeconds = 3600, kMostSize = 1 << 20;
+    const auto require = [&](const char* name, double value, double most) {
+        if (!(value > 0 && value <= most))
+            throw Error("{}: field \"{}\": expected a number above 0, at most {}, found {}",
+                        fields.where(), name, most, value);
+    };
+    require("build_seconds", limits.buildSeconds, kMostSeconds);
+    require("call_seconds", limits.callSeconds, kMostSeconds);
+    require("frame_seconds", limits.frameSeconds, kMostSeconds);
+    require("memory_mib", limits.memoryMib, kMostSize);
+    require("output_kib", limits.outputKib, kMostSize);
     return limits;
 }
 
@@ -155,7 +166,8 @@ std::string Task::suite() const {
         if (each == '-')
             upper = true;
         else {
-            name += upper ? static_cast<char>(std::toupper(each)) : each;
+            name +=
+                upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(each))) : each;
             upper = false;
         }
     }

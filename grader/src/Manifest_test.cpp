@@ -118,6 +118,21 @@ TEST_F(LoadingManifest, AnUnknownFieldInsideIsFoundInItsPlace) {
                 AllOf(HasSubstr("limits: unknown field \"seconds\""), HasSubstr("call_seconds")));
 }
 
+TEST_F(LoadingManifest, ALimitThatNothingCanKeepIsRefused) {
+    for (const char* name : {"build_seconds", "memory_mib", "output_kib"}) {
+        json = validManifest();
+        json["limits"][name] = 0;
+        EXPECT_THAT(complaint(), HasSubstr("expected a number above 0"));
+        json["limits"][name] = 18446744073709551615u;
+        EXPECT_THAT(complaint(), HasSubstr("expected a whole number"));
+    }
+    json = validManifest();
+    json["limits"]["frame_seconds"] = -1.5;
+    EXPECT_THAT(complaint(), HasSubstr("expected a number above 0, at most 3600, found -1.5"));
+    json["limits"]["frame_seconds"] = 1e9;
+    EXPECT_THAT(complaint(), HasSubstr("at most 3600"));
+}
+
 TEST_F(LoadingManifest, AnotherFormatIsRefusedFirst) {
     json["format"] = 2;
     json["colour"] = "red";

@@ -66,6 +66,7 @@ private:
         for (const Diagnostic& each : graded_.build.diagnostics)
             if (each.severity == "error")
                 broken.emplace(each.file, &each);
+        std::map<std::string, std::string> uncompiled;  // task → why it is in no program
         for (const auto& [name, error] : broken) {
             StagedFile& file = *stage_.find(name);
             file = substituteFor(root_, manifest_, name);
@@ -73,14 +74,25 @@ private:
             if (!lost.empty())
                 lost = ", without your " + lost;
             notices_.push_back(
-                fmt::format("{} of {} does not compile (line {}: {}): the {} took its place{}",
-                            name, manifest_.inherits.at(name), error->line, error->message,
+                fmt::format("the inherited file {} does not compile (line {}: {}): the {} took its "
+                            "place{}",
+                            name, error->line, error->message,
                             file.origin == "solutions" ? "solution's" : "starter's", lost));
+            for (const std::string& task : tasksIn(manifest_, file.content))
+                uncompiled[task] = fmt::format("{} does not compile: line {}: {}", name,
+                                               error->line, error->message);
             for (StagedFile& other : stage_.files)
                 if (other.role == Role::inherited && goesWith(manifest_, other.name, name))
                     other = substituteFor(root_, manifest_, other.name);
         }
         graded_ = grader_.gradeStage(manifest_, stage_, seed_);
+        for (CheckResult& check : graded_.checks)
+            if (const auto why = uncompiled.find(check.task); why != uncompiled.end()) {
+                check.status = Status::buildError;
+                check.points = 0;
+                check.message = why->second;
+                check.todos.clear();
+            }
     }
 
     std::map<std::vector<std::string>, std::set<std::string>> lostTasksByNeeds() const {
@@ -103,10 +115,28 @@ private:
             else if (replace(mended, need))
                 replaced.push_back(text);
         }
-        if (!replaced.empty())
-            keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost, replaced);
+        if (!replaced.empty()) {
+            const auto blamed = thatLost(replaced);
+            keepTheBetter(grader_.gradeStage(manifest_, mended, seed_), lost,
+                          blamed.empty() ? replaced : blamed);
+        }
         if (solutionsMissing)
             skipWhatRestsOnLostTasks(lost);
+    }
+
+    /// Of needs those that lose points themselves, or may: of an earlier assignment nobody knows.
+    std::vector<std::string> thatLost(const std::vector<std::string>& needs) const {
+        std::vector<std::string> lost;
+        for (const std::string& text : needs) {
+            const Need need = parseNeed(text, manifest_);
+            if (need.assignment != manifest_.id ||
+                std::any_of(graded_.checks.begin(), graded_.checks.end(),
+                            [&](const CheckResult& check) {
+                                return check.task == need.task && isLost(check);
+                            }))
+                lost.push_back(text);
+        }
+        return lost;
     }
 
     /// A fault of the grader's tells nothing of the submission.

@@ -33,7 +33,11 @@ public:
             word = text_.substr(from, at_ - from);
             kind = "NAME";
         } else if (std::isdigit(static_cast<unsigned char>(c))) {
-            while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '.'))
+            const auto separates = [&] {  // 1'000
+                return text_[at_] == '\'' && at_ + 1 < text_.size() && isNamePart(text_[at_ + 1]);
+            };
+            while (at_ < text_.size() &&
+                   (isNamePart(text_[at_]) || text_[at_] == '.' || separates()))
                 ++at_;
             word = text_.substr(from, at_ - from);
             kind = "NUMBER";

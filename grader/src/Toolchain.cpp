@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+#include <set>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -64,14 +65,14 @@ std::string cpuModel() {
 }
 
 std::string fingerprintOf(const fs::path& kit) {
-    std::string text = kit.string();
-    for (const char* name : {"prelude/prelude.h.gch", "lib/libcg.a", "bin/runner", "bin/confine"}) {
+    std::set<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(kit)) {
         struct stat status {};
-        stat((kit / name).c_str(), &status);
-        text +=
-            fmt::format(" {}:{}.{}", status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+        if (stat(entry.path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
+            files.insert(fmt::format("{} {} {}.{}", entry.path().string(), status.st_size,
+                                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec));
     }
-    return sha256(text).substr(0, 16);
+    return sha256(fmt::format("{}", fmt::join(files, "\n"))).substr(0, 16);
 }
 
 fs::path reachableKit(const fs::path& kit) {

@@ -54,8 +54,8 @@ int main(int argc, char** argv) {
     grader::addCompareCommand(app, exitCode);
     grader::addDoctorCommand(app, exitCode);
     grader::addPackagePlatformCommands(app, exitCode);
-    grader::addWindowCommand(app, exitCode);
-    grader::addDebugCommand(app, exitCode);
+    grader::addWindowCommand(app);
+    grader::addDebugCommand(app);
     grader::addCarryCommand(app, exitCode);
     grader::addUpdateReferencesCommand(app, exitCode);
     grader::addCheckCourseCommand(app, exitCode);

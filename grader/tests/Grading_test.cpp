@@ -266,7 +266,7 @@ TEST(OneErrorOneCharge, AnInheritedFileThatDoesNotCompileIsReplaced) {
     EXPECT_EQ(submission.grade("06-rotation").document.at("status"), "build_error");
     const Graded camera = submission.grade("07-camera");
     EXPECT_EQ(camera.points(), 100.0);
-    EXPECT_TRUE(camera.notes("rotation.cpp of 06-rotation does not compile"));
+    EXPECT_TRUE(camera.notes("the inherited file rotation.cpp does not compile"));
     EXPECT_EQ(camera.document.at("inherited").at("rotation.cpp"), "solutions");
 }
 

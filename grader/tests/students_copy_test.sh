@@ -62,15 +62,21 @@ camera=given/solutions/07-camera/Camera.cpp
 grep -q 'cg::todo.*"perspective"' "$camera" || fail "$(cat $camera)"
 [[ $(grep -c 'cg::todo' "$camera") == 1 ]] || fail "$(cat $camera)"
 
-step "a solution that got into a page is found"
-cp course/solutions/07-camera/Camera.cpp course/docs/first-hour.md
-git -C course commit -qam "a slip"
-if "$grader" package-students --from course three > slip.log 2>&1; then
-    fail "the copy gives a solution away"
-fi
-grep -q "docs/first-hour.md: as in solutions/07-camera/Camera.cpp" slip.log || fail "$(cat slip.log)"
-[[ ! -e three ]] || fail "something was written all the same"
-git -C course reset -q --hard HEAD~1
+step "it configures, though what that solution rests on is not given away"
+(cd given && cmake --preset release) > given.log 2>&1 || fail "$(cat given.log)"
+
+step "a solution that got into a page or a handout is found"
+for page in docs/first-hour.md assignments/06-rotation/README.md common/notes.txt; do
+    cp course/solutions/07-camera/Camera.cpp course/$page
+    git -C course add -A
+    git -C course commit -qm "a slip"
+    if "$grader" package-students --from course three > slip.log 2>&1; then
+        fail "the copy gives a solution away in $page"
+    fi
+    grep -q "$page: as in solutions/07-camera/Camera.cpp" slip.log || fail "$(cat slip.log)"
+    [[ ! -e three ]] || fail "something was written all the same"
+    git -C course reset -q --hard HEAD~1
+done
 
 step "pushed to a bare repository and cloned, it builds by itself; its starters earn nothing"
 git init -q --bare -b main hub.git

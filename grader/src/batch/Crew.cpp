@@ -5,6 +5,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace grader {
@@ -58,7 +59,13 @@ Crew::Done Crew::run(std::size_t count, const std::function<Standing(std::size_t
     const auto hire = [&] {
         Shift::Worker& worker = shift->workers.emplace_back();
         worker.began = Clock::now();
-        worker.thread = std::thread(labour, std::ref(worker));
+        try {
+            worker.thread = std::thread(labour, std::ref(worker));
+        } catch (const std::system_error&) {  // the machine gives no more threads
+            shift->workers.pop_back();
+            if (shift->workers.empty())
+                throw;
+        }
     };
 
     std::unique_lock lock(shift->mutex);

@@ -3,6 +3,7 @@
 // are not accused is part of check-course: they lose nothing.
 
 #include <fmt/format.h>
+#include <numeric>
 
 #include <algorithm>
 #include <iostream>
@@ -105,9 +106,13 @@ private:
     /// the two is named, or nothing is said.
     void checkPairs() {
         std::size_t made = 0;
-        for (std::size_t step = 1; step < mistakes_.size() && made < kPairs; ++step) {
-            const Mistake& one = mistakes_[step * 5 % mistakes_.size()];
-            const Mistake& other = mistakes_[(step * 5 + mistakes_.size() / 2) % mistakes_.size()];
+        const std::size_t all = mistakes_.size();
+        std::size_t stride = 5;
+        while (std::gcd(stride, all) > 1)
+            ++stride;  // so that no pair comes twice
+        for (std::size_t step = 1; step < all && made < kPairs; ++step) {
+            const Mistake& one = mistakes_[step * stride % all];
+            const Mistake& other = mistakes_[(step * stride + all / 2) % all];
             if (one.region == other.region || one.second.empty() || other.second.empty())
                 continue;
             ++made;

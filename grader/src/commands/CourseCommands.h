@@ -17,8 +17,8 @@ void addNewAssignmentCommand(CLI::App& app, int& exitCode);
 /// `grader sync-starters [ASSIGNMENT…]`: carries text outside the TODO regions to the starters.
 void addSyncStartersCommand(CLI::App& app, int& exitCode);
 
-/// `grader check-recognition [ASSIGNMENT…]`: second versions of all mistakes are recognised, right
-/// programs are not accused.
+/// `grader check-recognition [ASSIGNMENT…]`: second versions of all mistakes are recognised, and
+/// two at once are not mistaken for others.
 void addCheckRecognitionCommand(CLI::App& app, int& exitCode);
 
 }  // namespace grader

@@ -5,9 +5,9 @@
 namespace grader {
 
 /// `grader window ASSIGNMENT`: builds the window of the student's own files and opens it.
-void addWindowCommand(CLI::App& app, int& exitCode);
+void addWindowCommand(CLI::App& app);
 
 /// `grader debug ASSIGNMENT SUITE.TEST`: that test in one process, under gdb.
-void addDebugCommand(CLI::App& app, int& exitCode);
+void addDebugCommand(CLI::App& app);
 
 }  // namespace grader

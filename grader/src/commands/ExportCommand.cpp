@@ -134,10 +134,19 @@ void writeEach(const Batch& batch, const fs::path& out, const std::string& endin
         std::replace(student.begin(), student.end(), '/', '_');
         return out / (student + ending);
     };
+    std::map<fs::path, std::string> owners;
+    for (const Json& each : batch.students)
+        if (const auto [other, isNew] =
+                owners.emplace(fileOf(each.at("student")), each.at("student"));
+            !isNew)
+            throw Error("{} would be the file of two students, {} and {}: export another form",
+                        other->first.string(), other->second,
+                        each.at("student").get<std::string>());
+    for (const auto& [student, reason] : batch.unmarked)
+        if (!owners.contains(fileOf(student)))
+            fs::remove(fileOf(student));  // of an earlier export
     for (const Json& each : batch.students)
         writeFile(fileOf(each.at("student")), format(scoredOf(batch, each)));
-    for (const auto& [student, reason] : batch.unmarked)
-        fs::remove(fileOf(student));  // of an earlier export
     written(out, batch.students.size());
 }
 

@@ -23,6 +23,7 @@ namespace {
 constexpr const char* kLookAround = R"sh(
 grep -E '^(CapEff|NoNewPrivs|Seccomp):' /proc/self/status
 echo "Processes: $(ls /proc | grep -c '^[0-9]')"
+echo "Self: $$"
 echo "Interfaces:$(tail -n +3 /proc/net/dev | cut -d: -f1 | tr -d '\n')"
 look() {
     case "$1" in "$kit") return ;; esac
@@ -177,7 +178,7 @@ std::vector<Defence> defencesFrom(const Confession& said, const std::string& san
     add("read_only", "writes nowhere but in its /tmp", spoke && (writable == "/tmp"),
         "it can write to " + (writable.empty() ? "nothing" : writable), how);
     const std::string processes = valueOf(said, "Processes");
-    add("processes", "sees no other process", !processes.empty() && processes.size() == 1,
+    add("processes", "sees no other process", processes.size() == 1 && is("Self", "1"),
         processes + " to be seen", how);
     add("network", "no network", spoke && (interfaces.empty() || interfaces == "lo"),
         !spoke ? "" : "interfaces: " + (interfaces.empty() ? "none" : interfaces), how);

@@ -20,6 +20,7 @@ Confession wellKept() {
             {"NoNewPrivs", "1"},
             {"Seccomp", "2"},
             {"Processes", "4"},
+            {"Self", "1"},
             {"Interfaces", "lo"},
             {"Visible", ""},
             {"Writable", "/tmp"},

@@ -30,9 +30,10 @@ std::optional<Moment> momentIn(const Json& json, const char* name) {
 /// "2 d 3 h", "5 min"
 std::string inWords(std::chrono::seconds span) {
     using namespace std::chrono;
-    const auto d = duration_cast<days>(span);
-    const auto h = duration_cast<hours>(span - d);
-    const auto m = ceil<minutes>(span - d - h);
+    const auto whole = ceil<minutes>(span);
+    const auto d = duration_cast<days>(whole);
+    const auto h = duration_cast<hours>(whole - d);
+    const minutes m = whole - d - h;
     if (d.count() > 0)
         return fmt::format("{} d {} h", d.count(), h.count());
     return h.count() > 0 ? fmt::format("{} h {} min", h.count(), m.count())

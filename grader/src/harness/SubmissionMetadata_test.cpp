@@ -40,6 +40,14 @@ TEST(SubmissionMetadata, OfPointsThatAreNotShownYetNothingIsTold) {
     EXPECT_THAT(remarksOf(metadata(), 80, false), ElementsAre(kLate));
 }
 
+TEST(SubmissionMetadata, SixtyMinutesAreAnHour) {
+    Json json = metadata();
+    json["created_at"] = "2018-08-01T00:59:30-07:00";
+    EXPECT_THAT(remarksOf(json, 80, false),
+                ElementsAre("Handed in 2 h 0 min after the due date. What that costs is not in "
+                            "these points."));
+}
+
 TEST(SubmissionMetadata, TellsWhenTheLateDueDateIsOver) {
     Json json = metadata();
     json["assignment"]["late_due_date"] = "2018-08-01T07:00:00Z";
