@@ -61,6 +61,13 @@ std::string say(const std::string& format, const A&... values) {
 /// Adds a sentence to the current check's failure.
 void fail(const std::string& sentence);
 
+/// Fails and leaves the test: there is nothing more to compare.
+[[noreturn]] void failAndLeave(const std::string& sentence);
+
+/// Leaves the test unless as many values came as were asked for. The harness answers with all of
+/// them; what answers in its place may not.
+void needCount(const std::string& what, std::size_t got, std::size_t asked);
+
 /// Says what the current check sees of the last answer, when that is less than all of it: by this,
 /// not by the answer, a known mistake is recognised. Colours of the student's own choice, the order
 /// of parts or an alpha that nobody asked for stay out of it. `type`: "list"; "shares" (mostly 0

@@ -101,6 +101,17 @@ void fail(const std::string& sentence) {
     ADD_FAILURE() << sentence;
 }
 
+void failAndLeave(const std::string& sentence) {
+    const Verdict why{Status::fail, sentence};
+    current.verdict = why;
+    throw SubjectFailure(why);
+}
+
+void needCount(const std::string& what, std::size_t got, std::size_t asked) {
+    if (got != asked)
+        failAndLeave(fmt::format("{}: {} values were asked for, {} came", what, asked, got));
+}
+
 void observed(const std::string& type, std::vector<double> numbers) {
     if (current.evidence.empty())
         throw std::logic_error("observed() comes after a request");

@@ -15,6 +15,7 @@ std::vector<Picture> windowPictures(const std::vector<View>& views) {
     for (const View& view : views)
         packed.emplace_back(view.center, view.zoom, float(view.maxiter));
     const Picture all = subject().shade<Picture>("windowPictures", packed, levels::kSide);
+    needCount("windowPictures", all.size(), views.size() * levels::kSide * levels::kSide);
     levels::observeEdges(all);
     std::vector<Picture> pictures(views.size());
     for (std::size_t i = 0; i < views.size(); ++i)

@@ -164,6 +164,7 @@ bool areAlike(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) 
 std::vector<glm::vec3> pictureOf(const View& view) {
     auto picture = subject().shade<std::vector<glm::vec3>>("picture", view.center, view.zoom,
                                                            view.maxiter, kSide);
+    needCount("picture", picture.size(), kSide * kSide);
     observeEdges(picture);
     return picture;
 }
@@ -202,6 +203,7 @@ void expectIndices(const std::vector<glm::vec2>& points, int maxiter, const View
         return;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
+    needCount("iterate", got->size(), points.size());
         const float expected = static_cast<float>(index(points[i], maxiter));
         if (!expectClose(say("I(c) for c = {} and maxiter {}", points[i], maxiter), got->at(i),
                          expected, 1e-6f))

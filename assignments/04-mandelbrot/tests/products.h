@@ -22,6 +22,7 @@ inline std::optional<std::vector<glm::vec2>> expectProducts(const std::vector<gl
                               50, course::crown);
         return got;
     }
+    judge::needCount("cprod", got->size(), a.size());
     for (std::size_t i = 0; i < a.size(); ++i)
         judge::expectClose(judge::say("cprod(a, b) for a = {}, b = {}", a[i], b[i]), got->at(i),
                            product(a[i], b[i]));

@@ -90,6 +90,7 @@ TEST(LookAt, FollowsTheCamera) {
     for (const Pose& pose : poses)
         flat.insert(flat.end(), {pose.eye, pose.target, pose.up});
     const auto views = subject().call<std::vector<glm::mat4>>("viewsOnTheWay", flat);
+    needCount("viewsOnTheWay", views.size(), poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
         expectClose(say("view number {} on the way, for ", int(i + 1)) + tell(poses[i]),
                     views.at(i), viewOf(poses[i]));

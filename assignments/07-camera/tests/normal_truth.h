@@ -29,7 +29,9 @@ inline std::vector<glm::vec3> students(const std::vector<Surface>& surfaces) {
         modelviews.push_back(surface.modelview);
         normals.push_back(surface.normal);
     }
-    return judge::subject().shade<std::vector<glm::vec3>>("normals", modelviews, normals);
+    auto got = judge::subject().shade<std::vector<glm::vec3>>("normals", modelviews, normals);
+    judge::needCount("normals", got.size(), surfaces.size());
+    return got;
 }
 
 inline std::string tell(const Surface& surface) {

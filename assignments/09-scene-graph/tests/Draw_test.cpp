@@ -36,6 +36,7 @@ TEST(Draw, Figure) {
     const auto census = subject().census<std::vector<int>>("figure", vec3(1.6f, 2.1f, 5.0f),
                                                            vec3(0, 0.95f, 0), vec3(0, 1, 0));
     std::vector<std::vector<Draw>> of(3);
+    needCount("figure", census.result.size(), of.size());
     for (const Draw& draw : census.draws) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (draw.vertexArray == unsigned(census.result.at(k)))
