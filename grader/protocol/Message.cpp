@@ -53,6 +53,7 @@ Bytes encodeRequest(const Request& request) {
     out.text(request.name);
     out.blob(request.arguments);
     out.number(static_cast<std::uint8_t>(request.census));
+    out.number(static_cast<std::uint8_t>(request.alone));
     out.number(request.width);
     out.number(request.height);
     out.number(request.seed);
@@ -69,6 +70,7 @@ Request decodeRequest(std::span<const std::uint8_t> body) {
     request.name = in.text();
     request.arguments = in.blob();
     request.census = in.number<std::uint8_t>() != 0;
+    request.alone = in.number<std::uint8_t>() != 0;
     request.width = in.number<std::int32_t>();
     request.height = in.number<std::int32_t>();
     request.seed = in.number<std::uint64_t>();

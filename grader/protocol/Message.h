@@ -26,6 +26,7 @@ struct Request {
     std::string name;         ///< function or frame; empty for `graphics`
     Bytes arguments;          ///< of a call or draw, see Value.h
     bool census = false;      ///< of a draw: note the draw calls
+    bool alone = false;       ///< of a draw: in a process of its own
     std::int32_t width = 0;   ///< of a frame, pixels
     std::int32_t height = 0;  ///< of a frame, pixels
     std::uint64_t seed = 1;   ///< of a frame

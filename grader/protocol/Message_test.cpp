@@ -45,6 +45,7 @@ Request someRequest() {
     request.kind = RequestKind::frame;
     request.name = "from-the-right";
     request.arguments = encode(1.5f);
+    request.alone = true;
     request.width = 400;
     request.height = 300;
     request.seed = 0xffffffffffffffff;
@@ -60,6 +61,8 @@ TEST(Message, ARequestComesBackAsItWas) {
     EXPECT_EQ(got.kind, sent.kind);
     EXPECT_EQ(got.name, sent.name);
     EXPECT_EQ(got.arguments, sent.arguments);
+    EXPECT_EQ(got.census, sent.census);
+    EXPECT_EQ(got.alone, sent.alone);
     EXPECT_EQ(got.width, sent.width);
     EXPECT_EQ(got.height, sent.height);
     EXPECT_EQ(got.seed, sent.seed);

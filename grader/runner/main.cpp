@@ -3,9 +3,11 @@
 // Theory of operation. The judge starts `runner SUBJECT RESOURCES PROVIDER DESCRIPTOR` in a sandbox
 // and sends requests over the inherited socket. This process, the parent, only forks and watches:
 // it never loads the subject, so nothing a student wrote can reach the judge's socket or a later
-// request. A call gets a fresh child. Frames share one child, because an OpenGL context is dear;
-// it is replaced when it dies. Every child loads the subject itself, so even a crash in a static
-// initialiser costs one request and is reported with its line.
+// request. A call gets a fresh child, and so does a draw that is asked for alone. Frames and the
+// other draws share one child, because an OpenGL context is dear; it is replaced when it dies, and
+// when an exception cut a request short: what that left in static variables is nobody else's. Every
+// child loads the subject itself, so even a crash in a static initialiser costs one request and is
+// reported with its line.
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -20,16 +22,20 @@ namespace {
 
 using protocol::Answer;
 using protocol::Bytes;
+using protocol::Outcome;
 using protocol::Request;
 using protocol::RequestKind;
 
 Answer serve(const Request& request, const runner::SubjectFiles& files,
              std::unique_ptr<runner::Child>& frameChild) {
-    if (request.kind == RequestKind::call)
+    if (request.kind == RequestKind::call || (request.kind == RequestKind::draw && request.alone))
         return runner::Child(files).ask(request);
     if (!frameChild || !frameChild->alive())
         frameChild = std::make_unique<runner::Child>(files);
-    return frameChild->ask(request);
+    Answer answer = frameChild->ask(request);
+    if (answer.outcome == Outcome::exception)
+        frameChild.reset();
+    return answer;
 }
 
 }  // namespace
@@ -56,7 +62,7 @@ int main(int argc, char** argv) {
             answer = serve(request, files, frameChild);
         } catch (const std::exception& error) {
             answer.nonce = request.nonce;
-            answer.outcome = protocol::Outcome::faulty;
+            answer.outcome = Outcome::faulty;
             answer.detail = error.what();
         }
         if (!protocol::writeAll(

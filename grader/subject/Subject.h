@@ -76,6 +76,16 @@ public:
             makeRequest(protocol::RequestKind::draw, function, protocol::encode(arguments...)));
     }
 
+    /// tryShade() of what may well be cut short, in a process of its own: what it leaves in static
+    /// variables reaches no other call.
+    template <class... A>
+    protocol::Answer tryAlone(const std::string& function, const A&... arguments) {
+        auto request =
+            makeRequest(protocol::RequestKind::draw, function, protocol::encode(arguments...));
+        request.alone = true;
+        return ask(request);
+    }
+
     /// Told every request and what became of it.
     std::function<void(const protocol::Request&, const protocol::Answer&)> onAnswer =
         [](const auto&, const auto&) {};

@@ -102,14 +102,16 @@ public:
 
     judge::Census<std::vector<int>> drawn(const std::string& function = "draw",
                                           int times = 1) const {
-        return judge::subject().census<std::vector<int>>(function, int(names_.size()), edges_,
-                                                         childtransforms_, hanging_,
-                                                         modeltransforms_, colors(), view(), times);
+        auto census = judge::subject().census<std::vector<int>>(
+            function, int(names_.size()), edges_, childtransforms_, hanging_, modeltransforms_,
+            colors(), view(), times);
+        judge::needCount(function, census.result.size(), std::size(geometryNames));
+        return census;
     }
 
-    /// Draws a graph with a cycle.
+    /// Draws a graph with a cycle, where no other scene is drawn afterwards.
     protocol::Answer tried(const std::string& function) const {
-        return judge::subject().tryShade(function, int(names_.size()), edges_, childtransforms_,
+        return judge::subject().tryAlone(function, int(names_.size()), edges_, childtransforms_,
                                          hanging_, modeltransforms_, colors(), view());
     }
 
