@@ -42,7 +42,8 @@ std::string complaintAbout(const protocol::Answer& answer) {
         case Outcome::ok:
             return protocol::decode<bool>(protocol::decodeDrawAnswer(answer.payload).value)
                        ? ""
-                       : "came back without a word: throw an exception, or print a message";
+                       : "came back without an error message: throw an exception, or print what "
+                         "you do not print of every scene";
         case Outcome::timeout:
             return "never came back: it went round in circles";
         case Outcome::memory:
