@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Table.h"
+#include "table_fault.h"
 
 namespace course {
 
@@ -29,9 +30,14 @@ inline glm::mat4 upright(const glm::mat4& piece) {
     return box;
 }
 
+/// Thrown when the graph cannot be followed; the text is meant for the author of buildTable.
+struct FaultyTable : std::runtime_error {
+    explicit FaultyTable(const TableFault& why) : std::runtime_error(why.tell()), fault(why) {}
+    TableFault fault;
+};
+
 /// Calls buildTable with three empty nodes and follows every path from the table's. After the call
-/// a foot, a second model, is hung in the leg's node with the identity. Throws std::runtime_error
-/// when the graph cannot be followed; its text is meant for the author of buildTable.
+/// a foot, a second model, is hung in the leg's node with the identity. Throws FaultyTable.
 struct TableView {
     std::vector<glm::mat4>
         pieces;  ///< one for each path to the piece: from its coordinates to the table's
@@ -41,7 +47,7 @@ struct TableView {
 
     TableView(const glm::vec3& size, float thickness) {
         buildTable(table_, top_, leg_, &piece_, size, thickness);
-        require("leg", "models", leg_.models.size(), leg_.modeltransforms.size());
+        requireModels(&leg_);
         if (!leg_.models.empty()) {
             legPiece = leg_.modeltransforms.front();
         }
@@ -54,16 +60,15 @@ private:
     void follow(const Node* node, const glm::mat4& matrix, int depth) {
         constexpr int deepest = 16;
         constexpr std::size_t most = 1000;
-        const std::string name = nameOf(node);
         if (depth > deepest || pieces.size() > most) {
-            throw std::runtime_error("the table contains itself: " + name +
-                                     " is below itself, or far too deep");
+            throw FaultyTable({TableFault::cycle, placeOf(node)});
         }
-        require(name, "models", node->models.size(), node->modeltransforms.size());
-        require(name, "childnodes", node->childnodes.size(), node->childtransforms.size());
+        requireModels(node);
+        require(node, node->childnodes.size(), node->childtransforms.size(),
+                TableFault::childWithoutTransform, TableFault::transformWithoutChild);
         for (std::size_t i = 0; i < node->models.size(); ++i) {
             if (node->models[i] != &piece_ && node->models[i] != &foot_) {
-                throw std::runtime_error(name + ".models holds a model that is not `piece`");
+                throw FaultyTable({TableFault::otherModel, placeOf(node)});
             }
             (node->models[i] == &piece_ ? pieces : feet)
                 .push_back(matrix * node->modeltransforms[i]);
@@ -71,22 +76,30 @@ private:
         for (std::size_t j = 0; j < node->childnodes.size(); ++j) {
             const Node* child = node->childnodes[j];
             if (child == nullptr) {
-                throw std::runtime_error(name + ".childnodes holds a null pointer");
+                throw FaultyTable({TableFault::noChild, placeOf(node)});
             }
             legEdges += node == &table_ && child == &leg_;
             follow(child, matrix * node->childtransforms[j], depth + 1);
         }
     }
 
-    std::string nameOf(const Node* node) const {
-        return node == &table_ ? "table" : node == &top_ ? "top" : node == &leg_ ? "leg" : "a node";
+    TableFault::Place placeOf(const Node* node) const {
+        return node == &table_ ? TableFault::table
+               : node == &top_ ? TableFault::top
+               : node == &leg_ ? TableFault::leg
+                               : TableFault::elsewhere;
     }
 
-    static void require(const std::string& name, const char* list, std::size_t first,
-                        std::size_t second) {
-        if (first != second) {
-            throw std::runtime_error(name + " has " + std::to_string(first) + " " + list + " but " +
-                                     std::to_string(second) + " transforms for them");
+    void requireModels(const Node* node) const {
+        require(node, node->models.size(), node->modeltransforms.size(),
+                TableFault::modelWithoutTransform, TableFault::transformWithoutModel);
+    }
+
+    void require(const Node* node, std::size_t entries, std::size_t transforms,
+                 TableFault::Kind tooFew, TableFault::Kind tooMany) const {
+        if (entries != transforms) {
+            throw FaultyTable({entries > transforms ? tooFew : tooMany, placeOf(node), int(entries),
+                               int(transforms)});
         }
     }
 

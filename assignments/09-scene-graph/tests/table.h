@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+#include "../table_fault.h"
+
 namespace truth {
 
 using glm::mat4;
@@ -53,7 +55,7 @@ inline std::vector<double> extentOf(const mat4& matrix) {
     return {middle.x, middle.y, middle.z, half.x, half.y, half.z};
 }
 
-/// What came of buildTable.
+/// What came of buildTable. A table that cannot be followed ends the test.
 struct Built {
     std::vector<mat4> pieces, feet;
     mat4 legPiece;
@@ -61,9 +63,14 @@ struct Built {
 };
 
 inline Built built(const Table& table) {
-    const auto [pieces, feet, legPiece, legEdges] =
-        judge::subject().call<std::tuple<std::vector<mat4>, std::vector<mat4>, mat4, int>>(
-            "table", table.size, table.thickness);
+    const auto [pieces, feet, legPiece, legEdges, numbers] =
+        judge::subject()
+            .call<std::tuple<std::vector<mat4>, std::vector<mat4>, mat4, int, std::vector<int>>>(
+                "table", table.size, table.thickness);
+    if (const auto fault = course::TableFault::of(numbers); fault.kind != fault.none) {
+        judge::observed("fault", {double(fault.kind)});
+        judge::failAndLeave(table.tell() + ": " + fault.tell());
+    }
     std::vector<std::vector<double>> extents;
     for (const mat4& piece : pieces)
         extents.push_back(extentOf(piece));
