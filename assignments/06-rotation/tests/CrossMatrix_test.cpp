@@ -35,7 +35,7 @@ TEST(CrossMatrix, EveryEntry) {
 }
 
 TEST(CrossMatrix, SwappingChangesTheSign) {
-    check("u x v = -(v x u)");
+    check("u x v and v x u are right, one the negative of the other");
     const glm::vec3 u(0.5f, 2.0f, -1.5f), v(3.0f, -1.0f, 0.25f);
     expectProduct(u, v);
     expectProduct(v, u);
@@ -45,7 +45,7 @@ TEST(CrossMatrix, SwappingChangesTheSign) {
 }
 
 TEST(CrossMatrix, OrthogonalToBoth) {
-    check("u x v is orthogonal to u and to v");
+    check("u x v is right, and orthogonal to u and to v");
     const glm::vec3 u = 2.0f * judge::random().unitVector(),
                     v = 3.0f * judge::random().unitVector();
     expectProduct(u, v);
@@ -55,7 +55,7 @@ TEST(CrossMatrix, OrthogonalToBoth) {
 }
 
 TEST(CrossMatrix, GrowsWithItsVector) {
-    check("crossMatrix does not normalise: twice the vector gives twice the matrix");
+    check("the matrices of a vector and of twice the vector are right, the second twice the first");
     const glm::vec3 u(-0.3f, 0.4f, 1.2f);
     const glm::mat3 M = crossMatrix(u), twice = crossMatrix(2.0f * u);
     expectClose(say("crossMatrix({})", u), M, truth::crossMatrix(u));

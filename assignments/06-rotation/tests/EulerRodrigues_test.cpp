@@ -16,16 +16,17 @@ TEST(EulerRodrigues, ImageOfAVector) {
 }
 
 TEST(EulerRodrigues, HalfTheAngle) {
-    check("the matrix turns by 75 degrees, not by 150",
-          "a, b, c, d of (6.14) are made of the cosine and sine of half the angle.");
+    check("eulerRodrigues by 75 degrees is right: the matrix, and the angle that it turns by",
+          "If it turns by 150 degrees: a, b, c, d of (6.14) are made of the cosine and sine of "
+          "half the angle.");
     const glm::mat3 R = expectRotation("eulerRodrigues", 75.0f, otherUnitAxis);
     expectClose(say("the angle of eulerRodrigues(75, {})", otherUnitAxis), truth::angleDegrees(R),
                 75.0f);
 }
 
 TEST(EulerRodrigues, Rigid) {
-    check("the columns have length 1, are orthogonal, and the determinant is 1",
-          "One wrong sign among ad, ac and ab is enough to bend the matrix.");
+    check("eulerRodrigues by 110 degrees is right, and rigid: orthogonal columns of length 1",
+          "If it bends: one wrong sign among ad, ac and ab is enough.");
     const glm::mat3 R = expectRotation("eulerRodrigues", 110.0f, unitAxis);
     expectClose(say("R^T R for R = eulerRodrigues(110, {})", unitAxis), glm::transpose(R) * R,
                 glm::mat3(1.0f));
@@ -34,7 +35,7 @@ TEST(EulerRodrigues, Rigid) {
 }
 
 TEST(EulerRodrigues, KeepsTheAxis) {
-    check("what lies on the axis stays where it is");
+    check("eulerRodrigues by 140 degrees is right, and what lies on the axis stays where it is");
     const glm::vec3 axis = judge::random().unitVector();
     const glm::mat3 R = expectRotation("eulerRodrigues", 140.0f, axis);
     expectClose(say("eulerRodrigues(140, a) times a for a = {}", axis), R * axis, axis);
@@ -47,7 +48,8 @@ TEST(EulerRodrigues, BeyondHalfATurn) {
 }
 
 TEST(EulerRodrigues, AxisOfAnyLength) {
-    check("the axis may have any length", "Normalise the axis before you use it in (6.14).");
+    check("turns about axes of any length are right",
+          "If only these are wrong: normalise the axis before you use it in (6.14).");
     expectRotation("eulerRodrigues", 50.0f, glm::vec3(1, 2, 3));
     expectRotation("eulerRodrigues", 85.0f, 0.2f * otherUnitAxis);
 }

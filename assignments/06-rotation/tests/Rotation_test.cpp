@@ -16,7 +16,7 @@ TEST(Rotation, ImageOfAVector) {
 }
 
 TEST(Rotation, CounterClockwise) {
-    check("a positive angle turns counter-clockwise when the axis points at you",
+    check("35 degrees about z, x and y turn counter-clockwise, to the right places",
           "With the axis z, x turns towards y. If yours turns the other way, look at the sign of "
           "the sine and at rows and columns.");
     const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
@@ -30,15 +30,16 @@ TEST(Rotation, CounterClockwise) {
 }
 
 TEST(Rotation, AngleInDegrees) {
-    check("rotation by 75 degrees turns by 75 degrees",
-          "The angle comes in degrees; std::sin and std::cos want radians.");
+    check("rotation by 75 degrees is right: the matrix, and the angle that it turns by",
+          "If it is the angle: it comes in degrees, and std::sin and std::cos want radians.");
     const glm::mat3 R = expectRotation("rotation", 75.0f, otherUnitAxis);
     expectClose(say("the angle of rotation(75, {})", otherUnitAxis), truth::angleDegrees(R), 75.0f);
 }
 
 TEST(Rotation, Rigid) {
-    check("the columns have length 1, are orthogonal, and the determinant is 1",
-          "Away from 60 degrees, cos and 1 - cos differ; a a^T is a matrix, not the number 1.");
+    check("rotation by 115 degrees is right, and rigid: orthogonal columns of length 1",
+          "If it bends or stretches: away from 60 degrees, cos and 1 - cos differ; a a^T is a "
+          "matrix, not the number 1.");
     const float degrees = 115.0f;
     const glm::mat3 R = expectRotation("rotation", degrees, unitAxis);
     expectClose(say("R^T R for R = rotation({}, {})", degrees, unitAxis), glm::transpose(R) * R,
@@ -48,14 +49,14 @@ TEST(Rotation, Rigid) {
 }
 
 TEST(Rotation, KeepsTheAxis) {
-    check("what lies on the axis stays where it is");
+    check("rotation by 130 degrees is right, and what lies on the axis stays where it is");
     const glm::vec3 axis = judge::random().unitVector();
     const glm::mat3 R = expectRotation("rotation", 130.0f, axis);
     expectClose(say("rotation(130, a) times 2 a for a = {}", axis), R * (2.0f * axis), 2.0f * axis);
 }
 
 TEST(Rotation, BackByTheNegativeAngle) {
-    check("the negative angle turns back");
+    check("65 and -65 degrees are right, and one turns back what the other turned");
     const glm::mat3 there = expectRotation("rotation", 65.0f, otherUnitAxis);
     const glm::mat3 back = expectRotation("rotation", -65.0f, otherUnitAxis);
     expectClose(say("rotation(-65, a) rotation(65, a) for a = {}", otherUnitAxis), back * there,
@@ -63,7 +64,7 @@ TEST(Rotation, BackByTheNegativeAngle) {
 }
 
 TEST(Rotation, AnglesAddUp) {
-    check("40 degrees and then 70 degrees about one axis are 110 degrees");
+    check("40, 70 and 410 degrees are right, and 40 and then 70 degrees are 110");
     const glm::mat3 first = expectRotation("rotation", 40.0f, unitAxis);
     const glm::mat3 second = expectRotation("rotation", 70.0f, unitAxis);
     expectClose(say("rotation(70, a) rotation(40, a) for a = {}", unitAxis), second * first,
@@ -72,8 +73,8 @@ TEST(Rotation, AnglesAddUp) {
 }
 
 TEST(Rotation, AxisOfAnyLength) {
-    check("the axis may have any length",
-          "Exercise 6.1 normalises the axis first: glm::normalize(axis).");
+    check("turns about axes of any length are right",
+          "If only these are wrong: exercise 6.1 normalises the axis first, glm::normalize(axis).");
     expectRotation("rotation", 50.0f, glm::vec3(1, 2, 3));
     expectRotation("rotation", 85.0f, 0.2f * otherUnitAxis);
 }
