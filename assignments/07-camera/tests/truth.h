@@ -77,10 +77,21 @@ inline Pose expectEye(const Pose& start, const Steps& steps) {
     return got;
 }
 
+/// Fails where up and eye - target are parallel: what such a camera sees hangs on rounding.
+inline bool expectUpAside(const Pose& start, const Steps& steps, const Pose& got) {
+    const glm::dvec3 arm(got.eye - got.target), up(got.up);
+    const double sine = glm::length(glm::cross(glm::normalize(arm), glm::normalize(up)));
+    return judge::expectThat("up after " + tell(start, steps), sine >= 1e-3,
+                             judge::say("expected {}, got {}, which is parallel to eye - target",
+                                        turned(start, steps).up, got.up));
+}
+
 /// Turns the student's camera and compares what it sees. The view matrix is the judge's own, made
 /// from the student's eye, target and up: a mistake in computeMatrices costs nothing here.
 inline Pose expectView(const Pose& start, const Steps& steps) {
     const Pose got = expectEye(start, steps);
+    if (!expectUpAside(start, steps, got))
+        return got;
     judge::expectClose("the view (made from your eye, target and up) after " + tell(start, steps),
                        viewOf(got), viewOf(turned(start, steps)), 2e-4f);
     return got;
