@@ -1,0 +1,1 @@
+    eye = target + rotation(degrees, up) * (eye - target);
