@@ -43,8 +43,6 @@ public:
         delete camera;
     }
 
-    /// Fills the palettes and the graph, and makes the shader ready. Needs a current context.
-
     /// Draws each model once for each path that leads to it from node["world"] (algorithm 9.3),
     /// with the shader's program in use. The camera's matrices, the shader's view and projection
     /// and its lights are set before; the picture is cleared before.
