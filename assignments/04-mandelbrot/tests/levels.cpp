@@ -196,17 +196,18 @@ bool expectLastStepSeen(const glm::vec2& center, float zoom, int first) {
     return false;
 }
 
-void expectIndices(const std::vector<glm::vec2>& points, int maxiter, const View& instead) {
+void expectIndices(const std::vector<glm::vec2>& points, int maxiter, const View& instead,
+                   const std::string& which) {
     const auto got = valuesOf<std::vector<float>>("iterate", points, maxiter);
     if (!got) {
         expectPicture(instead);
         return;
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
     needCount("iterate", got->size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
         const float expected = static_cast<float>(index(points[i], maxiter));
-        if (!expectClose(say("I(c) for c = {} and maxiter {}", points[i], maxiter), got->at(i),
-                         expected, 1e-6f))
+        if (!expectClose(which + say("I(c) for c = {} and maxiter {}", points[i], maxiter),
+                         got->at(i), expected, 1e-6f))
             return;
     }
 }

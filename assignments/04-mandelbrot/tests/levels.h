@@ -52,8 +52,10 @@ bool expectPicture(const View& view);
 bool expectLastStepSeen(const glm::vec2& center, float zoom, int first);
 
 /// Fails unless I of every point is right: by values where the shader has a function
-/// `int iterate(vec2)`, else by the pictures of `instead`.
-void expectIndices(const std::vector<glm::vec2>& points, int maxiter, const View& instead);
+/// `int iterate(vec2)`, else by the pictures of `instead`. `which` begins the sentence of what is
+/// wrong.
+void expectIndices(const std::vector<glm::vec2>& points, int maxiter, const View& instead,
+                   const std::string& which = "");
 
 /// Values of a function of the student's shader; nothing when it has no such function, or one that
 /// is called another way: then pictures have to tell.
