@@ -54,11 +54,17 @@ TEST(Iterate, Inside) {
 }
 
 TEST(Iterate, RadiusTwo) {
-    check("the circle of no return has radius 2", "|z| > 2, or |z|^2 > 4: do not mix the two.");
+    check("an escape is |z| > 2: not less, and not more",
+          "|z| > 2, or |z|^2 > 4: do not mix the two. With |z| = 2, z is still on the circle.");
+    const View instead{{-0.7f, -0.6f}, 0.8f, 30};
     // On the way |z| comes between sqrt(2) and 2, or between 2 and 4.
     expectIndices(
         {{1.2f, 0.9f}, {-1.3f, -1.1f}, {0.9f, -1.2f}, {-1.9f, 0.8f}, {0.6f, 0.6f}, {-0.8f, -0.7f}},
-        60, {{-0.7f, -0.6f}, 0.8f, 30});
+        60, instead);
+    // After the first step |z| is 2; both numbers and their squares are exact.
+    if (!testing::Test::HasFailure())
+        expectIndices({{0, 2}, {2, 0}, {0, -2}}, 60, instead,
+                      "with |z| = 2 after the first step, ");
 }
 
 TEST(Iterate, LastStep) {
