@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <random>
 
 #include "Error.h"
@@ -42,6 +43,29 @@ CheckResult checkOf(const Manifest& manifest, const TestOutcome& test,
     markUnimplemented(manifest, check);
     check.hint = check.full() ? "" : (test.hint.empty() ? task->hint : test.hint);
     return check;
+}
+
+using EvidenceById = std::map<std::string, std::vector<judge::Evidence>>;
+
+EvidenceById evidenceIn(const std::vector<CheckResult>& checks) {
+    EvidenceById evidence;
+    for (const CheckResult& check : checks)
+        evidence[check.id] = check.evidence;
+    return evidence;
+}
+
+/// By what the task answers with the right version of all that it needs; failing that by what it
+/// answers as it was handed in, for what is made in the region of a needed task: a guard inside the
+/// traversal.
+std::optional<Recognised> recogniseTask(const Signatures& known, const TaskResult& task,
+                                        const EvidenceById& handedIn) {
+    if (auto recognised = recognise(known, task.id, task.checks))
+        return recognised;
+    std::vector<CheckResult> checks = task.checks;
+    for (CheckResult& check : checks)
+        if (const auto own = handedIn.find(check.id); own != handedIn.end())
+            check.evidence = own->second;
+    return recognise(known, task.id, checks);
 }
 
 bool isGradersFault(const CheckResult& check) {
@@ -110,11 +134,12 @@ AssignmentResult Grader::gradeStaged(const Manifest& manifest, Stage& stage,
                                      std::uint64_t seed) const {
     AssignmentResult result;
     StageResult graded = gradeStage(manifest, stage, seed);
+    const EvidenceById handedIn = evidenceIn(graded.checks);
     mendPrerequisites(*this, manifest, stage, seed, graded, result.notices);
     result.tasks = groupByTask(manifest, std::move(graded.checks));
     for (TaskResult& task : result.tasks)
         if (task.status != Status::pass && graded.build.ok)
-            task.recognised = recognise(signatures(manifest), task.id, task.checks);
+            task.recognised = recogniseTask(signatures(manifest), task, handedIn);
     fillIn(result, manifest, graded, seed);
     return result;
 }
