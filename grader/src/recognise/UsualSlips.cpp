@@ -191,6 +191,8 @@ std::optional<std::string> usualSlip(const std::vector<AnswerPair>& all) {
     for (const AnswerPair& pair : all) {
         if (!isComparable(pair))
             return std::nullopt;
+        if (pair.right.numbers.empty())
+            continue;  // an empty list, or an answer that the test sees nothing of
         pairs.push_back(pair);
         if (!agree(pair.right, pair.got)) {
             ++wrong;

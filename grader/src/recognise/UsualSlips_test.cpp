@@ -85,6 +85,13 @@ TEST(UsualSlips, SwappedAxes) {
                 HasSubstr("you have xzy"));
 }
 
+TEST(UsualSlips, AnswersWithoutNumbersTellNothing) {
+    EXPECT_THAT(saidOf({{value("list", {}), value("list", {})},
+                        {value("vec4", {1, 2, 3, 4}), value("vec4", {2, 4, 6, 8})}}),
+                HasSubstr("2 times"));
+    EXPECT_EQ(saidOf({{value("list", {}), value("list", {})}}), "nothing");
+}
+
 TEST(UsualSlips, NothingIsSaidOfOneVectorOrOfMixedErrors) {
     EXPECT_EQ(saidOf({{value("vec3", {1, 2, 3}), value("vec3", {-1, -2, -3})}}), "nothing");
     EXPECT_EQ(saidOf({{value("vec3", {1, 2, 3}), value("vec3", {-1, -2, -3})},
