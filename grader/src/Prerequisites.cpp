@@ -187,14 +187,18 @@ private:
         std::set<std::string>& gained = gainedBy_[fmt::format("{}", fmt::join(replaced, ", "))];
         for (CheckResult& check : graded_.checks)
             for (CheckResult& other : again.checks) {
-                if (!lost.contains(check.task) || other.id != check.id || !isLost(check))
+                if (!lost.contains(check.task) || other.id != check.id)
                     continue;
                 if (other.status == Status::graderError) {
-                    check = std::move(other);  // nobody knows what it would have earned
+                    if (isLost(check))
+                        check = std::move(other);  // nobody knows what it would have earned
                     break;
                 }
-                // What a mistake is recognised by must not be blurred by one in what it needs.
+                // What a mistake is recognised by must not be blurred by one in what it needs;
+                // checks that lost nothing are evidence, too.
                 check.evidence = other.evidence;
+                if (!isLost(check))
+                    break;
                 if (other.points > check.points || other.full()) {
                     gained.insert(check.task);
                     check = std::move(other);
