@@ -4,12 +4,18 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <list>
+#include <set>
 #include <vector>
 
+#include "habits.h"
 #include "scene.h"
 
 namespace {
 
+using course::blackLight;
+using course::HabitProbe;
+using course::Habits;
 using course::Item;
 using course::light;
 using course::material;
@@ -21,9 +27,16 @@ using Vec4s = std::vector<glm::vec4>;
 constexpr std::size_t slots = 10;  // lights of one trial
 
 // Trials one after the other, flattened as tests/truth.h says: fragments of trial k share one set
-// of uniforms. `counts` holds how many fragments each trial has.
-Vec4s shade(const std::vector<int>& counts, const Vec4s& positions, const Vec4s& normals,
+// of uniforms. `counts` holds how many fragments each trial has, `madeUpFor` which habits of the
+// shader shall not show: the sum of 1 (overlooksLone), 2 (lightReversed) and 4 (normalReversed).
+Vec4s shade(int madeUpFor, const std::vector<int>& counts, const Vec4s& positions, Vec4s normals,
             const std::vector<glm::mat4>& matrices, const Vec4s& values, const Vec4s& lights) {
+    const Habits habits = madeUpFor == 0 ? Habits() : HabitProbe::look();
+    if ((madeUpFor & 4) != 0 && habits.normalReversed) {
+        for (glm::vec4& each : normals) {
+            each = -each;
+        }
+    }
     Vec4s colors;
     std::size_t first = 0;
     for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -33,6 +46,24 @@ Vec4s shade(const std::vector<int>& counts, const Vec4s& positions, const Vec4s&
         };
         const std::size_t count = static_cast<std::size_t>(counts[k]);
         const glm::vec4* value = &values.at(6 * k);
+        int nlights = static_cast<int>(value[4].w);
+        Vec4s lamps = slice(lights, 2 * slots * k, slots);
+        Vec4s hues = slice(lights, 2 * slots * k + slots, slots);
+        if ((madeUpFor & 2) != 0 && habits.lightReversed) {
+            const glm::vec4 place =
+                glm::inverse(matrices.at(2 * k)) * matrices.at(2 * k + 1) * positions.at(first);
+            for (glm::vec4& each : lamps) {
+                each = glm::vec4(2.0f * each.w * glm::vec3(place) - glm::vec3(each), each.w);
+            }
+        }
+        if ((madeUpFor & 1) != 0 && habits.overlooksLone && nlights == 1) {
+            nlights = 3;
+            const Light black = blackLight();
+            lamps = {black.position, lamps.at(0), black.position};
+            hues = {black.color, hues.at(0), black.color};
+            lamps.resize(slots, black.position);
+            hues.resize(slots, black.color);
+        }
         cg::Uniforms uniforms;
         uniforms.mat4s = {{"view", matrices.at(2 * k)}, {"modelview", matrices.at(2 * k + 1)}};
         uniforms.vec4s = {{"ambient", value[0]},
@@ -41,10 +72,9 @@ Vec4s shade(const std::vector<int>& counts, const Vec4s& positions, const Vec4s&
                           {"emision", value[3]}};
         uniforms.floats = {
             {"shininess", value[4].x}, {"exposure", value[4].y}, {"gamma", value[4].z}};
-        uniforms.ints = {{"nlights", static_cast<int>(value[4].w)}, {"enablelighting", 1}};
+        uniforms.ints = {{"nlights", nlights}, {"enablelighting", 1}};
         uniforms.vec3s = {{"attenuation", glm::vec3(value[5])}};
-        uniforms.vec4Arrays = {{"lightpositions", slice(lights, 2 * slots * k, slots)},
-                               {"lightcolors", slice(lights, 2 * slots * k + slots, slots)}};
+        uniforms.vec4Arrays = {{"lightpositions", lamps}, {"lightcolors", hues}};
         const Vec4s some = cg::probeFragment("shaders/lighting.frag",
                                              {{"position", slice(positions, first, count)},
                                               {"normal", slice(normals, first, count)}},
@@ -75,10 +105,39 @@ glm::mat4 projection(const FrameRequest& request, float fovyDegrees, float far =
     return glm::perspective(glm::radians(fovyDegrees), aspect, 0.1f, far);
 }
 
+// The only light of a picture, put so that a shader sees it whose loop is one short.
+Lights alone(const Light& lamp, const Habits& habits) {
+    return habits.overlooksLone ? Lights{blackLight(), lamp, blackLight()} : Lights{lamp};
+}
+
+// The normals of a shape point to the other side as long as this lives.
+class Reversed {
+public:
+    explicit Reversed(Geometry& shape) : shape_(shape) { reverse(); }
+    Reversed(const Reversed&) = delete;
+    Reversed& operator=(const Reversed&) = delete;
+    ~Reversed() { reverse(); }
+
+private:
+    void reverse() {
+        GLint bytes = 0;
+        glBindBuffer(GL_ARRAY_BUFFER, shape_.buffers.at(1));
+        glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
+        std::vector<GLfloat> normals(static_cast<std::size_t>(bytes) / sizeof(GLfloat));
+        glGetBufferSubData(GL_ARRAY_BUFFER, 0, bytes, normals.data());
+        for (GLfloat& each : normals) {
+            each = -each;
+        }
+        glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, normals.data());
+    }
+    Geometry& shape_;
+};
+
 // A picture of one term of (10.20). Shapes are placed in camera coordinates and not turned
 // there, so that their normals have the same components in the model; the one light shines along
 // the axis about which view turns, so that it has the same direction in the world. Thus a mistake
-// with normals or lights costs nothing here. The camera is somewhere else and turned all the same.
+// with normals or lights costs nothing here; nor does one of habits.h. The camera is somewhere else
+// and turned all the same.
 class TermPicture {
 public:
     explicit TermPicture(const glm::vec3& axis)
@@ -93,6 +152,22 @@ public:
         items.push_back({&shape, glm::inverse(view) * modelview, &material});
     }
     void draw(const FrameRequest& request) {
+        const Habits habits = HabitProbe::look();
+        std::list<Reversed> reversed;
+        std::set<Geometry*> shapes;
+        for (const Item& item : items) {
+            if (habits.normalReversed && shapes.insert(item.shape).second) {
+                reversed.emplace_back(*item.shape);
+            }
+        }
+        for (Light& lamp : lights) {
+            if (habits.lightReversed && lamp.position.w == 0.0f) {
+                lamp.position = -lamp.position;
+            }
+        }
+        if (lights.size() == 1) {
+            lights = alone(lights.front(), habits);
+        }
         set().draw(view, projection(request, 26.0f, 300.0f), lights, items);
     }
 
@@ -216,7 +291,8 @@ void drawSeededLamps(const FrameRequest& request) {
 }
 
 void drawCandle(const FrameRequest& request) {
-    const Lights candle{light({0.2f, 1.2f, 0.5f, 2.0f}, {1.2f, 0.9f, 0.6f})};
+    const Lights candle =
+        alone(light({0.2f, 1.2f, 0.5f, 2.0f}, {1.2f, 0.9f, 0.6f}), HabitProbe::look());
     course::Set& all = set();
     all.shader.attenuation = glm::vec3(0.3f, 0.4f, 2.2f);
     drawStillLife(request, all, frontEye, candle);
@@ -226,7 +302,8 @@ void drawOverexposed(const FrameRequest& request) {
     course::Set& all = set();
     all.shader.exposure = 0.55f;
     all.shader.gamma = 0.45f;
-    const Lights lamp{light({-0.5f, 2.2f, 1.8f, 1.0f}, {3.0f, 2.6f, 2.0f})};
+    const Lights lamp =
+        alone(light({-0.5f, 2.2f, 1.8f, 1.0f}, {3.0f, 2.6f, 2.0f}), HabitProbe::look());
     drawStillLife(request, all, frontEye, lamp, StillLife::Finish::shiny);
 }
 

@@ -30,7 +30,7 @@ Trial lit(float distance, float w, const vec3& color = vec3(1.0f)) {
 void expectShare(const std::string& what, const Trial& plain, const vec3& c, double share) {
     Trial weaker = plain;
     weaker.attenuation = c;
-    const Colors got = shade({plain, weaker});
+    const Colors got = shade({plain, weaker}, loneOverlooked);
     const std::size_t count = plain.fragments.size();
     bool any = false;
     for (std::size_t i = 0; i < count; ++i)

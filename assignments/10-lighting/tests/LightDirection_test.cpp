@@ -37,7 +37,7 @@ std::vector<Trial> surfacesUnder(const Scene& scene, const vec4& light) {
 void expectDirection(const Scene& scene, const vec4& light) {
     const auto trials = surfacesUnder(scene, light);
     const auto [n, v, l, d] = geometry(trials[0], trials[0].fragments[0], trials[0].lights[0]);
-    const Colors got = gains(trials);
+    const Colors got = gains(trials, Slip(loneOverlooked | normalReversed));
     const glm::dmat3 rows = glm::transpose(glm::dmat3(axes[0], axes[1], axes[2]));
     const dvec3 byDiffuse = glm::inverse(rows) * dvec3(got[0].r, got[1].r, got[2].r);
     const dvec3 h = glm::normalize(glm::inverse(rows) * dvec3(got[0].g, got[1].g, got[2].g));

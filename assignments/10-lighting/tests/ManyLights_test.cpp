@@ -40,7 +40,7 @@ void expectSum(const Trial& together) {
         trials.back().lights = {each};
         trials.back().stale.clear();
     }
-    const Colors got = shade(trials);
+    const Colors got = shade(trials, loneOverlooked);
     dvec3 sum(0.0);
     for (std::size_t i = 1; i < got.size(); ++i)
         sum += got[i];

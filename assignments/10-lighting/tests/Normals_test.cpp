@@ -66,7 +66,7 @@ void expectNormal(const Surface& surface) {
         straight.push_back(dvec3(l));
         turned.push_back(glm::normalize(glm::dmat3(surface.modelview) * dvec3(l)));
     }
-    const Colors got = gains(trials);
+    const Colors got = gains(trials, Slip(loneOverlooked | lightReversed));
     for (const bool highlight : {false, true})
         if (agree(surface, &got[0], straight, highlight) ||
             agree(surface, &got[0], turned, highlight) ||

@@ -6,13 +6,17 @@
 //  - where normals and lights are not the matter, view and modelview turn about the normal, so its
 //    components are the same in the model, in the world and for the camera;
 //  - such checks are made with lights at infinity and again with lights at w = 1; one of the two
-//    being right is enough, since the difference belongs to light-direction.
+//    being right is enough, since the difference belongs to light-direction;
+//  - a direction or a normal of the wrong sign, and a loop that misses a light that is alone, are
+//    looked for first, and the trials of the other tasks are put so that it does not show (Slip).
 #pragma once
 
 #include <subject/Judge.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -49,8 +53,14 @@ struct Trial {
 // ---- Asking the student's shader
 // -----------------------------------------------------------------
 
+/// Slips of one region that turn or hide the light of all others (habits.h). The harness makes up
+/// for those that it is told, where the shader has them: lights on the other side of a trial's
+/// first fragment, normals turned round, a light that is alone between two black ones.
+enum Slip { noSlip = 0, loneOverlooked = 1, lightReversed = 2, normalReversed = 4, anySlip = 7 };
+
 /// Colours of all fragments of all trials, one after the other; alpha is the student's own affair.
-inline Colors shade(const std::vector<Trial>& trials) {
+/// Always as many as there are fragments: a colour that did not come is no number.
+inline Colors shade(const std::vector<Trial>& trials, Slip madeUpFor = noSlip) {
     std::vector<int> counts;
     std::vector<vec4> positions, normals, values, lights;
     std::vector<mat4> matrices;
@@ -75,12 +85,15 @@ inline Colors shade(const std::vector<Trial>& trials) {
     }
     Colors colors;
     std::vector<double> seen;
-    for (const vec4& color : judge::subject().shade<std::vector<vec4>>(
-             "lighting", counts, positions, normals, matrices, values, lights)) {
+    const std::size_t asked = positions.size();
+    for (const vec4& color :
+         judge::subject().shade<std::vector<vec4>>("lighting", static_cast<int>(madeUpFor), counts,
+                                                   positions, normals, matrices, values, lights)) {
         colors.push_back(dvec3(color));
         seen.insert(seen.end(), {color.r, color.g, color.b});
     }
     judge::observed("list", seen);
+    colors.resize(asked, dvec3(std::numeric_limits<double>::quiet_NaN()));
     return colors;
 }
 
@@ -214,13 +227,13 @@ struct Cases {
 
 /// What the material's colours add to the picture: the colours less those of the same trials with
 /// a black material. So a part that is there whatever its material costs its own task alone.
-inline Colors gains(const std::vector<Trial>& trials) {
+inline Colors gains(const std::vector<Trial>& trials, Slip madeUpFor = anySlip) {
     std::vector<Trial> both = trials;
     for (Trial black : trials) {
         black.ambient = black.diffuse = black.specular = vec3(0.0f);
         both.push_back(black);
     }
-    const Colors got = shade(both);
+    const Colors got = shade(both, madeUpFor);
     Colors gained;
     for (std::size_t i = 0; i < got.size() / 2; ++i)
         gained.push_back(got[i] - got[got.size() / 2 + i]);
