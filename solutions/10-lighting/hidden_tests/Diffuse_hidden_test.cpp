@@ -10,8 +10,8 @@ TEST(Diffuse, DrawnSurfaces) {
         const vec3 axis = axes[static_cast<std::size_t>(i) % axes.size()];
         const vec3 l =
             leaning(axis, judge::random().unitVector(), judge::random().uniform(10, 130));
-        const vec3 v = leaning(axis, judge::random().unitVector(), judge::random().uniform(20, 50));
-        const vec3 color = vec3(0.8f) + 0.6f * judge::random().unitVector();
+        const vec3 v = leaning(axis, judge::random().unitVector(), judge::random().uniform(20, 45));
+        const vec3 color = vec3(0.55f) + 0.4f * judge::random().unitVector();
         const vec3 material = vec3(0.5f) + 0.4f * judge::random().unitVector();
         for (const Family family : {Family::infinity, Family::point}) {
             Trial trial = bench(family, axis, v, l, color);

@@ -10,7 +10,7 @@ TEST(Specular, DrawnSurfaces) {
         const vec3 axis = axes[static_cast<std::size_t>(i) % axes.size()];
         const vec3 other =
             leaning(axis, judge::random().unitVector(), judge::random().uniform(20, 60));
-        const vec3 color = vec3(0.8f) + 0.6f * judge::random().unitVector();
+        const vec3 color = vec3(0.6f) + 0.4f * judge::random().unitVector();
         const float shininess = judge::random().uniform(3.0f, 12.0f);
         for (const Family family : {Family::infinity, Family::point}) {
             Trial trial = i % 2 == 0 ? bench(family, axis, axis, other, color)
