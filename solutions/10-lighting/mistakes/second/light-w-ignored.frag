@@ -1,0 +1,5 @@
+// Unit vector from the surface at p to a light in world coordinates, (10.22) or (10.23).
+vec3 lightDirection(vec4 light, vec4 p) {
+    vec4 arm = view * light - p;
+    return arm.xyz / sqrt(arm.x * arm.x + arm.y * arm.y + arm.z * arm.z);
+}
