@@ -65,7 +65,9 @@ std::optional<Recognised> recogniseTask(const Signatures& known, const TaskResul
     for (CheckResult& check : checks)
         if (const auto own = handedIn.find(check.id); own != handedIn.end())
             check.evidence = own->second;
-    return recognise(known, task.id, checks);
+    // A usual slip would be one of what is needed as well.
+    auto recognised = recognise(known, task.id, checks);
+    return recognised && !recognised->mistakes.empty() ? recognised : std::nullopt;
 }
 
 bool isGradersFault(const CheckResult& check) {
