@@ -108,6 +108,7 @@ function(course_add_assignment id)
 
     course_add_window(${id} ${id} assignments)
     course_student_files(${id} solutions solved inherited)
+    list(FILTER inherited EXCLUDE REGEX "\\.h$")  # else the starter's
     set(missing)
     foreach(file IN LISTS solved inherited)
         if(NOT EXISTS ${file})
