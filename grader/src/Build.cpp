@@ -202,17 +202,18 @@ private:
             origin.trusted = origin.trusted && each->origin != "submission";
         }
         origin.key = sha256(origin.key);
-        if (const auto known = fetched(origin, objectOf(file)))
+        const fs::path made = objectOf(file);
+        fs::create_directories(made.parent_path());
+        shareWithSandbox(made.parent_path(), user_, true);
+        if (const auto known = fetched(origin, made))
             return *known;
         const fs::path sources = compiling_ / objectName(file) / "sources";
         for (const StagedFile* each : visible)
             writeFile(sources / each->name, withoutComments(each->content));
-        fs::create_directories(objectOf(file).parent_path());
         shareWithSandbox(sources, user_, false);
-        shareWithSandbox(objectOf(file).parent_path(), user_, true);
-        Made made = make(origin, compilerCall(file, sources), objectOf(file), sources);
+        Made result = make(origin, compilerCall(file, sources), made, sources);
         fs::remove_all(sources);
-        return made;
+        return result;
     }
 
     std::vector<std::string> compilerCall(const StagedFile& file, const fs::path& sources) const {
