@@ -1,6 +1,7 @@
 // What students and instructors rely on, from a submission's files to the result document.
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "Lab.h"
 
@@ -45,6 +46,37 @@ TEST(Grading, TwoRunsDifferInTimingOnly) {
     second.erase("timing");
     EXPECT_EQ(first.dump(), second.dump());
     EXPECT_FALSE(first.dump().empty());
+}
+
+/// Which file each object in the cache is, by key: one that is made again is another one.
+std::map<std::string, ino_t> cachedObjects() {
+    const lab::fs::path toolchain = lab::fs::path(COURSE_GRADER).parent_path() / "toolchain.json";
+    const lab::fs::path cache =
+        lab::fs::path(lab::parseJsonFile(toolchain.string()).at("build").get<std::string>()) /
+        "cache/objects";
+    std::map<std::string, ino_t> objects;
+    for (const lab::fs::path& each : lab::entriesOf(cache)) {
+        struct stat status {};
+        if (stat((each / "object").c_str(), &status) == 0)
+            objects[each.filename().string()] = status.st_ino;
+    }
+    return objects;
+}
+
+TEST(Grading, WhatWasCompiledBeforeIsNotCompiledAgain) {
+    Submission submission;
+    submission.write(kRotation, submission.read(kRotation) + "static int neverSeen" +
+                                    std::to_string(getpid()) + ";\n");
+    auto before = cachedObjects();
+    EXPECT_EQ(submission.grade("06-rotation").points(), 100.0);
+    auto known = cachedObjects();
+    std::erase_if(known, [&](const auto& each) { return before.contains(each.first); });
+    EXPECT_GE(known.size(), 2u) << "its object and its program are kept";
+    submission.write(kRotation, submission.read(kRotation) + "// a comment\n");
+    EXPECT_EQ(submission.grade("06-rotation").points(), 100.0);
+    const auto after = cachedObjects();
+    for (const auto& [key, file] : known)
+        EXPECT_TRUE(after.contains(key) && after.at(key) == file) << key << " was made again";
 }
 
 TEST(Grading, AnotherSeedDrawsItsReferencesFromTheSolution) {
