@@ -65,14 +65,15 @@ std::map<std::string, ino_t> cachedObjects() {
 
 TEST(Grading, WhatWasCompiledBeforeIsNotCompiledAgain) {
     Submission submission;
-    submission.write(kRotation, submission.read(kRotation) + "static int neverSeen" +
-                                    std::to_string(getpid()) + ";\n");
-    auto before = cachedObjects();
+    const std::string text =
+        submission.read(kRotation) + "static int neverSeen" + std::to_string(getpid()) + ";  // ";
+    submission.write(kRotation, text + "one comment\n");
+    const auto before = cachedObjects();
     EXPECT_EQ(submission.grade("06-rotation").points(), 100.0);
     auto known = cachedObjects();
     std::erase_if(known, [&](const auto& each) { return before.contains(each.first); });
     EXPECT_GE(known.size(), 2u) << "its object and its program are kept";
-    submission.write(kRotation, submission.read(kRotation) + "// a comment\n");
+    submission.write(kRotation, text + "another comment\n");
     EXPECT_EQ(submission.grade("06-rotation").points(), 100.0);
     const auto after = cachedObjects();
     for (const auto& [key, file] : known)
