@@ -181,7 +181,8 @@ TEST_F(Watch, WhatAGradingReadHalfWrittenIsGradedAgain) {
         overwrite(kRotation, "");
         wait(4);
         overwrite(kRotation, text);
-        const std::string verdicts = terminal.waitFor(kWaiting) + terminal.untilSilent(0.7);
+        std::string verdicts = terminal.waitFor(kWaiting);
+        verdicts += terminal.untilSilent(0.7);
         EXPECT_GT(verdicts.rfind("100 / 100") + 1, verdicts.rfind(" 0 / 100") + 1) << verdicts;
     }
 }

@@ -316,7 +316,7 @@ void addBatchCommand(CLI::App& app, int& exitCode) {
             "seconds after which grading one submission is ended, and counts as a fault of "
             "the grader; default what its parts may take at most, according to the "
             "assignment's limits")
-        ->check(CLI::Range(1.0, 1e6));
+        ->check(CLI::Range(0.01, 1e6));
     command->add_flag("--stable", options.stable,
                       "grade each three times, and name those that come out differently");
     command->add_flag("--fresh", options.fresh, "grade again what is known already");

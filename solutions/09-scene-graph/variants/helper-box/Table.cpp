@@ -10,7 +10,7 @@
 void buildTable(Node& table, Node& top, Node& leg, Model* piece, const glm::vec3& size,
                 float thickness) {
     // BEGIN TODO(build-a-table)
-    const auto box = [](const glm::vec3& a, const glm::vec3& b) {
+    const auto box = [](glm::vec3 a, glm::vec3 b) {
         const glm::mat4 S = glm::scale(glm::mat4(1.0f), b - a);
         const glm::mat4 T = glm::translate(glm::mat4(1.0f), 0.5f * (a + b));
         return T * S;
