@@ -1,7 +1,6 @@
 #include "Observe.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -9,6 +8,7 @@
 #include "Fields.h"
 #include "Process.h"
 #include "References.h"
+#include "ResultDocument.h"
 #include "TimeBox.h"
 #include "subject/Subject.h"
 
@@ -103,25 +103,6 @@ std::string lastLine(const std::string& text) {
                        end - (start == std::string::npos ? 0 : start + 1) + 1);
 }
 
-/// What is not a finite number is null in JSON.
-double numberOf(const Json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-std::vector<double> numbersOf(const Json& json) {
-    std::vector<double> numbers;
-    for (const Json& each : json)
-        numbers.push_back(numberOf(each));
-    return numbers;
-}
-
-std::vector<std::vector<double>> rowsOf(const Json& json) {
-    std::vector<std::vector<double>> rows;
-    for (const Json& row : json)
-        rows.push_back(numbersOf(row));
-    return rows;
-}
-
 /// One element of what JudgeMain.cpp writes.
 TestOutcome testOutcomeOf(const Json& json) {
     TestOutcome test;
@@ -133,11 +114,10 @@ TestOutcome testOutcomeOf(const Json& json) {
     test.todos = json.at("todos");
     test.verdict = {judge::statusFromString(json.at("status")), json.at("message")};
     if (const Json& comparison = json.at("comparison"); !comparison.is_null())
-        test.comparison = {comparison.at("what"), rowsOf(comparison.at("expected")),
-                           rowsOf(comparison.at("got")), numberOf(comparison.at("tolerance"))};
+        test.comparison = comparisonFrom(comparison);
     for (const Json& each : json.at("evidence"))
         test.evidence.push_back(
-            {each.at("key"), each.at("outcome"), each.at("type"), numbersOf(each.at("numbers"))});
+            {each.at("key"), each.at("outcome"), each.at("type"), numbersFrom(each.at("numbers"))});
     return test;
 }
 

@@ -6,15 +6,14 @@ namespace grader {
 
 namespace {
 
-/// What is not a finite number is null in JSON.
+double numberFrom(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 std::vector<std::vector<double>> rowsFrom(const Json& json) {
     std::vector<std::vector<double>> rows;
-    for (const Json& row : json) {
-        rows.emplace_back();
-        for (const Json& each : row)
-            rows.back().push_back(each.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                                 : each.get<double>());
-    }
+    for (const Json& row : json)
+        rows.push_back(numbersFrom(row));
     return rows;
 }
 
@@ -47,11 +46,8 @@ CheckResult checkFrom(const Json& json, const std::string& task) {
     check.maxPoints = json.at("max_points");
     check.message = json.at("message");
     check.hint = json.at("hint");
-    if (json.contains("comparison")) {
-        const Json& comparison = json.at("comparison");
-        check.comparison = {comparison.at("what"), rowsFrom(comparison.at("expected")),
-                            rowsFrom(comparison.at("got")), comparison.at("tolerance")};
-    }
+    if (json.contains("comparison"))
+        check.comparison = comparisonFrom(json.at("comparison"));
     if (json.contains("features"))
         for (const Json& feature : json.at("features"))
             check.features.push_back(featureFrom(feature));
@@ -89,6 +85,18 @@ Diagnostic diagnosticFrom(const Json& json) {
 }
 
 }  // namespace
+
+std::vector<double> numbersFrom(const Json& json) {
+    std::vector<double> numbers;
+    for (const Json& each : json)
+        numbers.push_back(numberFrom(each));
+    return numbers;
+}
+
+Comparison comparisonFrom(const Json& json) {
+    return {json.at("what"), rowsFrom(json.at("expected")), rowsFrom(json.at("got")),
+            numberFrom(json.at("tolerance"))};
+}
 
 AssignmentResult resultFrom(const Json& document) {
     AssignmentResult result;

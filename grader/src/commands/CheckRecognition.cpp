@@ -108,7 +108,7 @@ private:
         std::size_t made = 0;
         const std::size_t all = mistakes_.size();
         std::size_t stride = 5;
-        while (std::gcd(stride, all) > 1)
+        while (all > 0 && std::gcd(stride, all) > 1)
             ++stride;  // so that no pair comes twice
         for (std::size_t step = 1; step < all && made < kPairs; ++step) {
             const Mistake& one = mistakes_[step * stride % all];
