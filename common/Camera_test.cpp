@@ -40,7 +40,7 @@ TEST(Camera, ItsMatricesAreThoseOfTheNotes) {
     const glm::vec4 target = camera.view * glm::vec4(camera.target, 1.0f);
     expectNear(glm::vec3(target), {0, 0, -5});
     EXPECT_NEAR(camera.proj[0][0], 1.717f, 1e-3f);
-    EXPECT_NEAR(camera.proj[1][1], 2.748f, 1e-3f);
+    EXPECT_NEAR(camera.proj[1][1], 2.74748f, 1e-4f);
     EXPECT_NEAR(camera.proj[2][2], -1.4f, 1e-5f);
     EXPECT_NEAR(camera.proj[3][2], -2.4f, 1e-5f);
     EXPECT_EQ(camera.proj[2][3], -1.0f);

@@ -19,10 +19,6 @@ const Face faces[] = {
     {{0, -1, 0}, {1, 0, 0}},   // bottom
 };
 
-void append(std::vector<GLfloat>& values, const glm::vec3& v) {
-    values.insert(values.end(), {v.x, v.y, v.z});
-}
-
 }  // namespace
 
 void Cube::init() {
@@ -34,8 +30,10 @@ void Cube::init() {
         const glm::vec3 up = glm::cross(face.normal, face.right);
         // Corners counter-clockwise from the lower left one.
         for (const glm::vec2& corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-            append(positions, 0.5f * (face.normal + corner.x * face.right + corner.y * up));
-            append(normals, face.normal);
+            const glm::vec3& n = face.normal;
+            const glm::vec3 p = 0.5f * (n + corner.x * face.right + corner.y * up);
+            positions.insert(positions.end(), {p.x, p.y, p.z});
+            normals.insert(normals.end(), {n.x, n.y, n.z});
         }
         for (const GLuint offset : {0u, 1u, 2u, 0u, 2u, 3u}) {
             indices.push_back(first + offset);

@@ -4,6 +4,7 @@
 
 #include <cg/Error.h>
 #include <cg/GlTest.h>
+#include <cg/Ownership.h>
 
 #include <algorithm>
 #include <optional>
@@ -96,10 +97,14 @@ TEST_F(GeometryTest, DestroyedAfterItsContextLeavesTheNextOneAlone) {
     EXPECT_EQ(names.alive(), 4);
 }
 
-TEST_F(GeometryTest, DestroyedWithoutAnyContextIsHarmless) {
+TEST_F(GeometryTest, WithoutAnyContextNothingMayBeDeleted) {
     std::optional<Cube> cube(std::in_place);
     cube->init();
+    const unsigned madeIn = cg::currentContextId();
+    EXPECT_TRUE(cg::mayDelete(madeIn));
     context.reset();
+    EXPECT_FALSE(cg::mayDelete(madeIn));
+    EXPECT_FALSE(cg::mayDelete(0)) << "of objects that a derived class made";
     cube.reset();
 }
 

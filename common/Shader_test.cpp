@@ -9,8 +9,6 @@
 
 namespace {
 
-using ::testing::Test;
-
 const std::string goodVertex = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
 const std::string goodFragment = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
 const std::string badFragment =
@@ -117,12 +115,18 @@ TEST_F(ShaderTest, TheDestructorDeletesTheProgram) {
     EXPECT_EQ(objects(), 0);
 }
 
-TEST_F(ShaderTest, DestroyedAfterItsContextIsHarmless) {
-    std::optional<Shader> shader(std::in_place);
-    read(*shader, goodVertex, goodFragment);
-    shader->compile();
+TEST_F(ShaderTest, DestroyedAfterItsContextLeavesTheNextOneAlone) {
+    std::optional<Shader> old(std::in_place);
+    read(*old, goodVertex, goodFragment);
+    old->compile();
     context.reset();
-    shader.reset();
+    context = cg::createOsMesaContext(64, 48);
+    Shader shader;
+    read(shader, goodVertex, goodFragment);
+    shader.compile();
+    EXPECT_EQ(old->program, shader.program) << "the test wants equal names in both contexts";
+    old.reset();
+    EXPECT_TRUE(glIsProgram(shader.program));
 }
 
 TEST_F(ShaderTest, AMissingFileIsNamedWithThePlacesTried) {

@@ -4,7 +4,7 @@
 
 namespace {
 
-constexpr std::size_t mostLights = 10;  // length of the uniform arrays
+constexpr int mostLights = 10;  // length of the uniform arrays
 
 void setMatrix(GLint location, const glm::mat4& value) {
     glUniformMatrix4fv(location, 1, GL_FALSE, &value[0][0]);
@@ -16,7 +16,7 @@ void setColor(GLint location, const glm::vec4& value) {
 
 void setList(GLint location, const std::vector<glm::vec4>& values) {
     if (!values.empty()) {
-        const auto count = static_cast<GLsizei>(std::min(values.size(), mostLights));
+        const auto count = std::min(static_cast<GLsizei>(values.size()), mostLights);
         glUniform4fv(location, count, &values[0][0]);
     }
 }
@@ -53,7 +53,7 @@ void SurfaceShader::setUniforms() {
     glUniform1f(at_.shininess, surface.shininess);
 
     glUniform1i(at_.enablelighting, enablelighting);
-    glUniform1i(at_.nlights, nlights);
+    glUniform1i(at_.nlights, std::min(nlights, mostLights));
     setList(at_.lightpositions, lightpositions);
     setList(at_.lightcolors, lightcolors);
 }

@@ -27,7 +27,7 @@ struct SurfaceShader : Shader {
     void initUniforms();
 
     /// Hands all members to GL; the program must be in use (glUseProgram). Lists longer than 10 are
-    /// cut; slots that a list does not fill keep what they had.
+    /// cut, and so is nlights; slots that a list does not fill keep what they had.
     void setUniforms();
 
 private:

@@ -97,6 +97,7 @@ TEST_F(SurfaceShaderTest, MoreThanTenLightsAreCut) {
     shader.setUniforms();
     EXPECT_EQ(vec4Of("lightpositions[9]"), glm::vec4(5.0f));
     EXPECT_EQ(vec4Of("lightcolors[9]"), glm::vec4(6.0f));
+    EXPECT_EQ(intOf("nlights"), 10);
 }
 
 TEST_F(SurfaceShaderTest, AProgramWithoutTheseUniformsIsFine) {

@@ -9,8 +9,6 @@
 namespace cg {
 namespace {
 
-constexpr int maxSide = 16384;
-
 thread_local unsigned currentId = 0;
 
 unsigned nextId() {

@@ -46,7 +46,7 @@ public:
     std::string errors() const;
 
 protected:
-    /// Throws cg::Error unless both are 1 to 16384.
+    /// Throws cg::Error unless both are 1 to maxSide.
     Context(int width, int height);
 
     /// The framebuffer object that holds the picture; 0 is the context's own surface.

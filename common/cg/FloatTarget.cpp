@@ -5,13 +5,19 @@
 
 namespace cg {
 
-FloatTarget::FloatTarget(int width, int height) : width_(width), height_(height) {
+/// The constructor that follows delegates to this one: where it throws, the destructor puts
+/// everything back.
+FloatTarget::FloatTarget() {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &formerFramebuffer_);
     glGetIntegerv(GL_VIEWPORT, formerViewport_);
     glGetFloatv(GL_COLOR_CLEAR_VALUE, formerClear_);
     formerDepthTest_ = glIsEnabled(GL_DEPTH_TEST);
     formerBlend_ = glIsEnabled(GL_BLEND);
+}
 
+FloatTarget::FloatTarget(int width, int height) : FloatTarget() {
+    width_ = width;
+    height_ = height;
     glGenTextures(1, &texture_);
     glBindTexture(GL_TEXTURE_2D, texture_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);

@@ -21,7 +21,9 @@ public:
     std::vector<glm::vec4> read() const;
 
 private:
-    int width_, height_;
+    FloatTarget();
+
+    int width_ = 0, height_ = 0;
     GLuint framebuffer_ = 0, texture_ = 0;
     GLint formerFramebuffer_ = 0, formerViewport_[4] = {};
     GLfloat formerClear_[4] = {};

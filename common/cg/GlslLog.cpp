@@ -1,4 +1,5 @@
 #include <cg/GlslLog.h>
+#include <cg/GlslSource.h>
 
 #include <regex>
 #include <sstream>
@@ -7,16 +8,20 @@ namespace cg {
 namespace {
 
 std::string nameLine(const std::string& line, const std::string& file) {
-    static const std::regex mesa(R"(^\d+:(\d+)\(\d+\): *(.*)$)");
-    static const std::regex nvidia(R"(^\d+\((\d+)\) *: *(.*)$)");
-    static const std::regex khronos(R"(^(ERROR|WARNING): *\d+:(\d+): *(.*)$)");
+    // The place alone: a pattern that also matches a long message overflows the stack.
+    static const std::regex mesa(R"(\d+:(\d+)\(\d+\): *)");
+    static const std::regex nvidia(R"(\d+\((\d+)\) *: *)");
+    static const std::regex khronos(R"((ERROR|WARNING): *\d+:(\d+): *)");
     std::smatch found;
-    if (std::regex_match(line, found, mesa) || std::regex_match(line, found, nvidia)) {
-        return file + ":" + found.str(1) + ": " + found.str(2);
+    const auto begins = [&](const std::regex& place) {
+        return std::regex_search(line, found, place, std::regex_constants::match_continuous);
+    };
+    if (begins(mesa) || begins(nvidia)) {
+        return file + ":" + found.str(1) + ": " + found.suffix().str();
     }
-    if (std::regex_match(line, found, khronos)) {
+    if (begins(khronos)) {
         const std::string severity = found.str(1) == "ERROR" ? "error: " : "warning: ";
-        return file + ":" + found.str(2) + ": " + severity + found.str(3);
+        return file + ":" + found.str(2) + ": " + severity + found.suffix().str();
     }
     return line;
 }
@@ -40,16 +45,6 @@ bool holds(const std::string& text, const char* pattern) {
     return std::regex_search(text, std::regex(pattern));
 }
 
-/// Whether anything but space and comments stands before #version.
-bool hasTextBeforeVersion(const std::string& source) {
-    const auto at = source.find("#version");
-    if (at == std::string::npos) {
-        return true;
-    }
-    static const std::regex comment(R"(//[^\n]*|/\*[\s\S]*?\*/)");
-    return holds(std::regex_replace(source.substr(0, at), comment, ""), R"(\S)");
-}
-
 }  // namespace
 
 std::string nameGlslLog(const std::string& log, const std::string& file) {
@@ -65,7 +60,7 @@ std::string nameGlslLog(const std::string& log, const std::string& file) {
 
 std::string glslHint(const std::string& log, const std::string& source) {
     const std::string line = lineOf(source, firstLine(log));
-    if (holds(line, R"((^|[^\w.])\d+f\b)")) {
+    if (holds(line, R"((^|[^\w.])\d{1,20}f\b)")) {
         return "a float has a decimal point: write 0.0 or 0.0f, not 0f";
     }
     if (holds(line, R"(\bunsigned\s+int\b)")) {
@@ -75,7 +70,7 @@ std::string glslHint(const std::string& log, const std::string& source) {
         holds(line, R"(\b(int|uint|ivec[234])\b)")) {
         return "GLSL turns no float into an int by itself: write int(x)";
     }
-    if (hasTextBeforeVersion(source)) {
+    if (!beginsWithVersion(source)) {
         return "#version 330 core must be the first line; only comments and space may stand before";
     }
     return "";

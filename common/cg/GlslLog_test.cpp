@@ -22,4 +22,17 @@ TEST(GlslLog, KeepsOtherLinesAndDropsBlankOnes) {
     EXPECT_EQ(nameGlslLog("", "a.frag"), "");
 }
 
+TEST(GlslLog, ALongMessageIsReadLikeAShortOne) {
+    const std::string name(1 << 20, '1');
+    EXPECT_EQ(nameGlslLog("0:1(5): error: no `" + name + "'", "a.frag"),
+              "a.frag:1: error: no `" + name + "'");
+    EXPECT_EQ(cg::glslHint("0:2(5): error: no x", "#version 330 core\nx" + name), "");
+}
+
+TEST(GlslLog, HintsAtTextBeforeTheVersionAndAtNoComment) {
+    const std::string log = "0:2(1): error: no `x'\n";
+    EXPECT_NE(cg::glslHint(log, "// the #version\nfloat x;\n#version 330 core\n"), "");
+    EXPECT_EQ(cg::glslHint(log, "/* the #version\n*/ # version 330 core\n"), "");
+}
+
 }  // namespace

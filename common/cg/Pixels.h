@@ -5,6 +5,8 @@
 
 namespace cg {
 
+constexpr int maxSide = 16384;  ///< pixels, of a picture, a framebuffer or a window
+
 /// A picture in memory. Row 0 is the top; within a row from left to right; 4 bytes a pixel in the
 /// order red, green, blue, alpha, sRGB as stored in a file or framebuffer.
 /// rgba.size() is 4 * width * height.

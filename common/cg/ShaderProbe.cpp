@@ -1,9 +1,9 @@
 #include <cg/Context.h>
 #include <cg/FloatTarget.h>
 #include <cg/GlslProgram.h>
+#include <cg/GlslSource.h>
 #include <cg/ShaderProbe.h>
 
-#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <memory>
 #include <regex>
@@ -79,13 +79,6 @@ private:
     std::size_t count_ = 0;
 };
 
-/// GLSL type of an `in` variable; empty when the source declares none of that name.
-std::string typeOfInput(const std::string& source, const std::string& name) {
-    const std::regex declaration(R"(\bin\s+(?:\w+\s+)*?(float|vec[234])\s+)" + name + R"(\s*;)");
-    std::smatch found;
-    return std::regex_search(source, found, declaration) ? found.str(1) : "";
-}
-
 std::string componentsOf(const std::string& type) {
     return type == "float" ? ".x" : type == "vec2" ? ".xy" : type == "vec3" ? ".xyz" : "";
 }
@@ -125,16 +118,6 @@ Values drawPoints(const GlslProgram& program, const std::map<unsigned, Values>& 
     Values all = target.read();
     all.resize(points.count());
     return all;
-}
-
-/// Text behind the #version line, with that line's number kept, so that messages name the author's
-/// own lines.
-std::string withAfterVersion(const std::string& source, const std::string& inserted) {
-    const auto version = source.find("#version");
-    const auto end = version == std::string::npos ? 0 : source.find('\n', version) + 1;
-    const auto line = 1 + std::count(source.begin(), source.begin() + static_cast<long>(end), '\n');
-    return source.substr(0, end) + inserted + "#line " + std::to_string(line) + "\n" +
-           source.substr(end);
 }
 
 /// The program that `make` links, made once per context and key: many sets of uniforms cost one
@@ -182,12 +165,6 @@ const GlslProgram& pictureProgram(const std::string& vertexFile, const std::stri
         });
 }
 
-bool definesFunction(const std::string& source, const std::string& name) {
-    static const std::regex comment(R"(//[^\n]*|/\*[\s\S]*?\*/)");
-    return std::regex_search(std::regex_replace(source, comment, ""),
-                             std::regex(R"(\b\w+\s+)" + name + R"(\s*\([^)]*\)\s*\{)"));
-}
-
 }  // namespace
 
 Values probeFragment(const std::string& file, const std::map<std::string, Values>& inputs,
@@ -217,7 +194,7 @@ Values probeFunction(const std::string& file, const std::string& function,
         throw MissingFunction("`" + function + "` is defined nowhere in " + file);
     }
     const std::string probed =
-        withAfterVersion(source, "#define main cg_main_put_aside\n") +
+        insertAfterVersion(source, "#define main cg_main_put_aside\n") +
         "\n#undef main\nin vec4 cg_argument;\nout vec4 cg_result;\n"
         "void main() {\n    cg_result = " +
         std::regex_replace(expression, std::regex(R"(\ba\b)"), "cg_argument") + ";\n}\n";

@@ -1,12 +1,8 @@
 #include <cg/GlTest.h>
 #include <cg/GlslProgram.h>
-#include <cg/Resources.h>
 #include <cg/ShaderProbe.h>
 #include <cg/TemporaryFolder.h>
 #include <cg/Todo.h>
-
-#include <cmath>
-#include <fstream>
 
 namespace {
 
@@ -15,19 +11,15 @@ using Values = std::vector<glm::vec4>;
 
 class ShaderProbeTest : public cg::GlTest {
 protected:
-    std::string file(const std::string& name, const std::string& text) {
-        const std::string path = folder.path() + "/" + name;
-        std::ofstream(path) << text;
-        return path;
-    }
     cg::TemporaryFolder folder;
 };
 
 TEST_F(ShaderProbeTest, FragmentValuesAreUnclampedAndInOrder) {
-    const std::string path = file("scale.frag",
-                                  "#version 330 core\nin vec4 position;\nin vec3 normal;\n"
-                                  "uniform float factor;\nout vec4 colour;\n"
-                                  "void main() { colour = vec4(factor * normal, position.w); }\n");
+    const std::string path =
+        folder.write("scale.frag",
+                     "#version 330 core\nin vec4 position;\nin vec3 normal;\n"
+                     "uniform float factor;\nout vec4 colour;\n"
+                     "void main() { colour = vec4(factor * normal, position.w); }\n");
     Values positions, normals;
     for (int i = 0; i < 300; ++i) {
         positions.emplace_back(0, 0, 0, i);
@@ -45,13 +37,22 @@ TEST_F(ShaderProbeTest, FragmentValuesAreUnclampedAndInOrder) {
     }
 }
 
-TEST_F(ShaderProbeTest, UniformsOfEveryKindArrive) {
+TEST_F(ShaderProbeTest, InputsStandInListsAndNotInComments) {
     const std::string path =
-        file("sum.frag",
-             "#version 330 core\nin float x;\nuniform int n;\nuniform bool on;\nuniform vec2 b;\n"
-             "uniform vec3 c;\nuniform vec4 d[3];\nuniform mat3 m;\nuniform mat4 k;\nout vec4 r;\n"
-             "void main() { r = vec4(x + float(n) + (on ? 1.0 : 0.0), b.y + c.z, d[2].w, m[2].x + "
-             "k[3].y); }\n");
+        folder.write("list.frag",
+                     "#version 330 core\n// in vec3 a;\nin vec2 b, a;\nout vec4 c;\n"
+                     "void main() { c = vec4(a, b); }\n");
+    EXPECT_EQ(cg::probeFragment(path, {{"a", {{1, 2, 0, 0}}}, {"b", {{3, 4, 0, 0}}}}, {}).at(0),
+              glm::vec4(1, 2, 3, 4));
+}
+
+TEST_F(ShaderProbeTest, UniformsOfEveryKindArrive) {
+    const std::string path = folder.write(
+        "sum.frag",
+        "#version 330 core\nin float x;\nuniform int n;\nuniform bool on;\nuniform vec2 b;\n"
+        "uniform vec3 c;\nuniform vec4 d[3];\nuniform mat3 m;\nuniform mat4 k;\nout vec4 r;\n"
+        "void main() { r = vec4(x + float(n) + (on ? 1.0 : 0.0), b.y + c.z, d[2].w, m[2].x + "
+        "k[3].y); }\n");
     Uniforms uniforms;
     uniforms.ints = {{"n", 7}, {"on", 1}};
     uniforms.vec2s["b"] = {0, 2};
@@ -69,10 +70,11 @@ TEST_F(ShaderProbeTest, UniformsOfEveryKindArrive) {
 
 TEST_F(ShaderProbeTest, AFunctionIsCalledByItself) {
     const std::string path =
-        file("f.frag",
-             "#version 330 core\nout vec4 fragColor;\nvec2 cprod(vec2 a, vec2 b) {\n"
-             "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n"
-             "void main(void) { fragColor = vec4(1.0); }\n");
+        folder.write("f.frag",
+                     "// not yet the #version\n# version 330 core\nout vec4 fragColor;\n"
+                     "vec2 cprod(vec2 a, vec2 b) {\n"
+                     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n"
+                     "void main(void) { fragColor = vec4(1.0); }\n");
     const Values got = cg::probeFunction(path, "cprod", "vec4(cprod(a.xy, a.zw), 0.0, 1.0)",
                                          {{1, 2, 3, 4}, {0, 1, 0, 1}}, {});
     EXPECT_EQ(got, (Values{{-5, 10, 0, 1}, {-1, 0, 0, 1}}));
@@ -81,11 +83,11 @@ TEST_F(ShaderProbeTest, AFunctionIsCalledByItself) {
 }
 
 TEST_F(ShaderProbeTest, AVaryingOfAVertexShaderIsRead) {
-    const std::string path =
-        file("n.vert",
-             "#version 330 core\nlayout(location = 1) in vec3 vertex_normal;\n"
-             "uniform mat4 modelview;\nout vec3 normal;\nvoid main() {\n"
-             "    normal = mat3(modelview) * vertex_normal;\n    gl_Position = vec4(0.0);\n}\n");
+    const std::string path = folder.write(
+        "n.vert",
+        "#version 330 core\nlayout(location = 1) in vec3 vertex_normal;\n"
+        "uniform mat4 modelview;\nout vec3 normal;\nvoid main() {\n"
+        "    normal = mat3(modelview) * vertex_normal;\n    gl_Position = vec4(0.0);\n}\n");
     Uniforms uniforms;
     uniforms.mat4s["modelview"] = glm::mat4(2.0f);
     const Values got =
@@ -95,12 +97,12 @@ TEST_F(ShaderProbeTest, AVaryingOfAVertexShaderIsRead) {
 
 TEST_F(ShaderProbeTest, AFloatPictureHasRowZeroAtTheTop) {
     const std::string vertex =
-        file("v.vert",
-             "#version 330 core\nlayout(location = 0) in vec2 p;\nout vec2 q;\n"
-             "void main() { q = p; gl_Position = vec4(p, 0.0, 1.0); }\n");
-    const std::string fragment = file("f.frag",
-                                      "#version 330 core\nin vec2 q;\nout vec4 c;\n"
-                                      "void main() { c = vec4(10.0 * q, 0.0, 1.0); }\n");
+        folder.write("v.vert",
+                     "#version 330 core\nlayout(location = 0) in vec2 p;\nout vec2 q;\n"
+                     "void main() { q = p; gl_Position = vec4(p, 0.0, 1.0); }\n");
+    const std::string fragment = folder.write("f.frag",
+                                              "#version 330 core\nin vec2 q;\nout vec4 c;\n"
+                                              "void main() { c = vec4(10.0 * q, 0.0, 1.0); }\n");
     const Values got = cg::renderFloat(vertex, fragment, 4, 2, {});
     ASSERT_EQ(got.size(), 8u);
     EXPECT_NEAR(got[0].x, -7.5f, 1e-4f);
@@ -110,10 +112,10 @@ TEST_F(ShaderProbeTest, AFloatPictureHasRowZeroAtTheTop) {
 }
 
 TEST_F(ShaderProbeTest, ErrorsKeepTheAuthorsOwnLineNumbers) {
-    const std::string path = file("wrong.frag",
-                                  "// a comment\n#version 330 core\nout vec4 c;\n"
-                                  "float f(float x) {\n    return 0f * x;\n}\n"
-                                  "void main() { c = vec4(f(1.0)); }\n");
+    const std::string path = folder.write("wrong.frag",
+                                          "// a comment\n#version 330 core\nout vec4 c;\n"
+                                          "float f(float x) {\n    return 0f * x;\n}\n"
+                                          "void main() { c = vec4(f(1.0)); }\n");
     const std::string text = cg::messageOf<cg::GlslError>([&] {
         cg::probeFunction(path, "f", "vec4(f(a.x))", {{0, 0, 0, 0}}, {});
     });
@@ -124,10 +126,10 @@ TEST_F(ShaderProbeTest, ErrorsKeepTheAuthorsOwnLineNumbers) {
 TEST_F(ShaderProbeTest, AnUnfilledRegionIsReported) {
     cg::clearTodos();
     const std::string path =
-        file("todo.frag",
-             "#version 330 core\nuniform float cg_todo_many_lights;\nin float x;\n"
-             "uniform float cg_todo_unused;\nout vec4 c;\n"
-             "void main() { c = vec4(x + cg_todo_many_lights); }\n");
+        folder.write("todo.frag",
+                     "#version 330 core\nuniform float cg_todo_many_lights;\nin float x;\n"
+                     "uniform float cg_todo_unused;\nout vec4 c;\n"
+                     "void main() { c = vec4(x + cg_todo_many_lights); }\n");
     EXPECT_EQ(cg::probeFragment(path, {{"x", {glm::vec4(2)}}}, {}).at(0), glm::vec4(2));
     EXPECT_EQ(cg::reachedTodos(), std::vector<std::string>{"many-lights"});
     cg::clearTodos();
@@ -138,7 +140,7 @@ TEST_F(ShaderProbeTest, FramebufferAndViewportAreAsBefore) {
     GLint before = -1;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
     const std::string path =
-        file("c.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+        folder.write("c.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
     cg::probeFragment(path, {{"x", {glm::vec4(0)}}}, {});
     GLint framebuffer = -1, viewport[4] = {};
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);

@@ -1,12 +1,11 @@
 #include <cg/Error.h>
+#include <cg/Pixels.h>
 #include <cg/ViewerOptions.h>
 
 #include <regex>
 
 namespace cg {
 namespace {
-
-constexpr int maxSide = 16384;
 
 void parseSize(const std::string& text, ViewerOptions& options) {
     static const std::regex pattern(R"((\d{1,5})x(\d{1,5}))");

@@ -6,7 +6,7 @@ namespace cg {
 
 /// What a window's command line can say.
 struct ViewerOptions {
-    int width = 800;         ///< of the window, in screen units, 1 to 16384 (--size WxH)
+    int width = 800;         ///< of the window, in screen units, 1 to maxSide (--size WxH)
     int height = 600;        ///< likewise
     std::string screenshot;  ///< write the first picture here and quit; empty: no (--screenshot)
     bool help = false;       ///< print the usage and quit (--help)

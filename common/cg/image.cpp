@@ -10,11 +10,11 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 namespace cg {
 namespace {
 
-constexpr int maxSide = 16384;
 constexpr std::size_t maxPixels = std::size_t(1) << 26;  // a few bytes can claim more than memory
 
 std::size_t rgbaBytes(int width, int height) {
@@ -31,6 +31,16 @@ void requireSize(const std::string& path, int width, int height) {
         throw Error(path + ": a picture has at most " + std::to_string(maxPixels) +
                     " pixels, this one has " + std::to_string(width) + " x " +
                     std::to_string(height));
+    }
+}
+
+/// Of anything else, OpenImageIO hands over more than width x height pixels.
+void requireFlat(const std::string& path, const OIIO::ImageSpec& spec) {
+    if (spec.depth > 1 || spec.deep) {
+        const std::string found = spec.deep
+                                      ? "has several values a pixel"
+                                      : "is a volume of " + std::to_string(spec.depth) + " layers";
+        throw Error(path + ": the picture " + found + "; save it flat, as .png");
     }
 }
 
@@ -99,8 +109,9 @@ int report(const std::exception& failure, char* error, std::size_t errorSize) {
 }  // namespace
 
 Pixels readImage(const std::string& path) {
-    if (!std::filesystem::exists(path)) {
-        throw Error(path + ": no such file");
+    std::error_code failure;
+    if (!std::filesystem::exists(path, failure)) {
+        throw Error(path + ": " + (failure ? failure.message() : "no such file"));
     }
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
@@ -113,6 +124,7 @@ Pixels readImage(const std::string& path) {
     }
     const OIIO::ImageSpec& spec = input->spec();
     requireSize(path, spec.width, spec.height);
+    requireFlat(path, spec);
     const int channels = std::min(spec.nchannels, 4);
     std::vector<std::uint8_t> values, broken;
     if (spec.format.is_floating_point()) {
@@ -163,6 +175,8 @@ int cg_image_read(const char* path, int* width, int* height, unsigned char** rgb
         *height = pixels.height;
         return 0;
     } catch (const std::exception& failure) {
+        std::free(*rgba);
+        *rgba = nullptr;
         return cg::report(failure, error, errorSize);
     }
 }

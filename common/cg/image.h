@@ -14,7 +14,8 @@ namespace cg {
 /// Reads any picture that OpenImageIO knows: grey is spread over the three colours, missing alpha
 /// is 255, values are those in the file (8 bits, sRGB, alpha not multiplied in). Files of floats
 /// (EXR, HDR) hold linear values: they are brought to sRGB, and what is no number is `broken`.
-/// At most 16384 pixels a side and 2^26 in all. Throws cg::Error that names the file.
+/// Only what is flat, at most maxSide pixels a side and 2^26 in all. Throws cg::Error that names
+/// the file.
 Pixels readImage(const std::string& path);
 
 /// Writes a picture; the name's ending decides the format (use .png). Alpha is dropped: the file
@@ -26,8 +27,8 @@ void writeImage(const std::string& path, const Pixels& pixels);
 extern "C" {
 
 /// As cg::readImage: 0 and the picture in *rgba (4 * width * height bytes, to be given to free()),
-/// or 1 and a sentence in error[0 .. errorSize), with *rgba null. *broken is null, or width *
-/// height bytes (to be given to free()) that are 1 where the file holds no number.
+/// or 1 and a sentence in error[0 .. errorSize), with both pointers null. *broken is null,
+/// or width * height bytes (to be given to free()) that are 1 where the file holds no number.
 int cg_image_read(const char* path, int* width, int* height, unsigned char** rgba,
                   unsigned char** broken, char* error, std::size_t errorSize);
 

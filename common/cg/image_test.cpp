@@ -4,10 +4,28 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <thread>
+
+#ifndef __SANITIZE_ADDRESS__  // which has a malloc of its own
+namespace {
+
+std::size_t scarceSize = 0;  // of blocks of this size there are only a few left
+int blocksLeft = 0;
+
+}  // namespace
+
+extern "C" void* __libc_malloc(std::size_t size);
+
+extern "C" void* malloc(std::size_t size) noexcept {
+    return size == scarceSize && blocksLeft-- == 0 ? nullptr : __libc_malloc(size);
+}
+#endif
 
 namespace {
 
@@ -28,6 +46,21 @@ Pixels pattern(int width, int height) {
 std::string bytes(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A DDS file of 4 x 4 x 4 pixels.
+std::string volume() {
+    std::array<std::uint32_t, 32 + 4 * 4 * 4> words = {0x20534444, 124, 0x801007, 4, 4, 16, 4};
+    words[19] = 32;  // the pixels: 32 bits each, of which every channel has eight
+    words[20] = 0x41;
+    words[22] = 32;
+    words[23] = 0xff;
+    words[24] = 0xff00;
+    words[25] = 0xff0000;
+    words[26] = 0xff000000;
+    words[27] = 0x1008;
+    words[28] = 0x200000;  // a volume
+    return {reinterpret_cast<const char*>(words.data()), sizeof words};
 }
 
 class ImageTest : public ::testing::Test {
@@ -95,6 +128,19 @@ TEST_F(ImageTest, ADamagedPictureIsNamed) {
     EXPECT_EQ(readError(path).find(path), 0u) << readError(path);
 }
 
+TEST_F(ImageTest, AVolumeIsRefusedWhateverItsName) {
+    for (const char* name : {"volume.dds", "volume.png"}) {
+        const std::string path = folder.write(name, volume());
+        EXPECT_EQ(readError(path),
+                  path + ": the picture is a volume of 4 layers; save it flat, as .png");
+    }
+}
+
+TEST_F(ImageTest, ANameThatNoFileCanHaveIsNamed) {
+    const std::string path = folder.path(std::string(300, 'a') + ".png");
+    EXPECT_EQ(readError(path), path + ": File name too long");
+}
+
 TEST_F(ImageTest, RefusesWhatItCannotWrite) {
     EXPECT_THROW(cg::writeImage(folder.path("a.nothing"), pattern(2, 2)), cg::Error);
     EXPECT_THROW(cg::writeImage(folder.path("absent/a.png"), pattern(2, 2)), cg::Error);
@@ -123,5 +169,33 @@ TEST_F(ImageTest, TheCFunctionsDoTheSame) {
     EXPECT_EQ(cg_image_write("a.png", 0, 3, pixels.rgba.data(), error, 6), 1);
     EXPECT_STREQ(error, "a.png");
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_F(ImageTest, TheCFunctionsHandOverAllOrNothing) {
+    std::vector<float> values(31 * 29);
+    values[7] = NAN;  // so that there are two blocks to hand over
+    const std::string path = folder.write(
+        "a.pfm", "Pf\n31 29\n-1.0\n" + std::string(reinterpret_cast<char*>(values.data()),
+                                                   values.size() * sizeof(float)));
+    int width = 0, height = 0, failures = 0;
+    unsigned char *rgba = nullptr, *broken = nullptr;
+    const auto read = [&](int blocks) {
+        blocksLeft = blocks;
+        scarceSize = values.size();
+        const int failed = cg_image_read(path.c_str(), &width, &height, &rgba, &broken, nullptr, 0);
+        scarceSize = 0;
+        return failed != 0;
+    };
+    for (; read(failures); ++failures) {
+        EXPECT_EQ(rgba, nullptr);
+        EXPECT_EQ(broken, nullptr);
+    }
+    EXPECT_GT(failures, 0);
+    ASSERT_NE(broken, nullptr);
+    EXPECT_EQ(std::count(broken, broken + values.size(), 1), 1);
+    std::free(rgba);
+    std::free(broken);
+}
+#endif
 
 }  // namespace
