@@ -1,6 +1,7 @@
 #include "protocol/Message.h"
 
 #include <poll.h>
+#include <sys/random.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -45,6 +46,13 @@ int msLeft(Clock::time_point start, int deadlineMs) {
 }
 
 }  // namespace
+
+Nonce freshNonce() {
+    Nonce nonce;
+    if (getrandom(nonce.data(), sizeof nonce, 0) != sizeof nonce)
+        throw std::runtime_error("no random numbers to be had");
+    return nonce;
+}
 
 Bytes encodeRequest(const Request& request) {
     ByteWriter out;

@@ -7,11 +7,16 @@
 
 /// Requests of the judge and answers of the runner.
 ///
-/// A message on the wire is a magic number, a length and a body. The judge draws a fresh nonce for
-/// every request; an answer with another nonce, or bytes that nobody asked for, is `tampered`.
+/// A message on the wire is a magic number, a length and a body. Two requests go down for each of
+/// the judge's: to the runner, and from there to the process with the student's code. Who sends one
+/// draws a fresh nonce for it; an answer with another nonce, or bytes that nobody asked for, is
+/// `tampered`.
 namespace protocol {
 
 using Nonce = std::array<std::uint64_t, 2>;
+
+/// From the kernel's random numbers. Throws std::runtime_error where there are none.
+Nonce freshNonce();
 
 enum class RequestKind : std::uint8_t {
     call,      ///< a function, in a process of its own
@@ -45,7 +50,7 @@ enum class Outcome : std::uint8_t {
     exited,     ///< the code ended its process with exit status `code`
     timeout,    ///< too long, or what `detail` says
     memory,     ///< `detail` is the limit, when that is known
-    output,     ///< printed too much, or what `detail` says
+    output,     ///< printed too much; or wrote too much, then `detail` says what
     tampered,   ///< bytes that do not follow the protocol
     unknown,    ///< the harness has no such function or frame, or another signature
     faulty,     ///< the runner could not do its own work (no GL library, no memory to fork)
@@ -83,6 +88,10 @@ Bytes framed(std::uint32_t magic, const Bytes& body);
 /// A process that could run and got no processor is not charged for the wait, on a crowded machine:
 /// a request may take up to so many times `timeoutMs` on the clock.
 inline constexpr std::uint32_t kMostStretch = 5;
+
+/// What OpenGL may take to start, once for each process that draws; it is part of no request's
+/// `timeoutMs`.
+inline constexpr std::uint32_t kStartMs = 8000;
 
 enum class ReadStatus { ok, closed, late, malformed };
 

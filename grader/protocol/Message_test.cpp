@@ -94,6 +94,11 @@ TEST(Message, WhatDrawsComesBackAsItWas) {
     EXPECT_EQ(got.renderer, "llvmpipe");
 }
 
+TEST(Message, NoTwoNoncesAreTheSame) {
+    EXPECT_NE(freshNonce(), freshNonce());
+    EXPECT_NE(freshNonce(), Nonce{});
+}
+
 TEST(Message, EveryTruncationIsNoticed) {
     Answer answer;
     answer.detail = "text";

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMostCalls = 100000;
 
 const cg::Context* target = nullptr;
+thread_local DriverWork doing = DriverWork::none;
 bool recording = false;
 Census census;
 std::map<GLint, bool> programsSeen;  ///< in this request: their todos are noted
@@ -87,7 +88,21 @@ void note(GLsizei count) {
     census.calls.push_back(call);
 }
 
+/// Calls the driver. Where there is no context, nothing happens, as OpenGL has it.
+template <class Function, class... Arguments>
+void passOn(DriverWork work, const char* name, Arguments... arguments) {
+    if (!target)
+        return;
+    doing = work;
+    real<Function>(name)(arguments...);
+    doing = DriverWork::none;
+}
+
 }  // namespace
+
+DriverWork driverWork() {
+    return doing;
+}
 
 void setCensusContext(const cg::Context* context) {
     target = context;
@@ -107,44 +122,56 @@ Census takeCensus() {
 }  // namespace runner
 
 // The entry points that the subject is bound to; exported by DrawEntryPoints.list.
+using runner::DriverWork;
 using runner::note;
-using runner::real;
+using runner::passOn;
 
 extern "C" {
 
+void APIENTRY glCompileShader(GLuint shader) {
+    passOn<PFNGLCOMPILESHADERPROC>(DriverWork::shaders, "glCompileShader", shader);
+}
+
+void APIENTRY glLinkProgram(GLuint program) {
+    passOn<PFNGLLINKPROGRAMPROC>(DriverWork::shaders, "glLinkProgram", program);
+}
+
 void APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
     note(count);
-    real<PFNGLDRAWARRAYSPROC>("glDrawArrays")(mode, first, count);
+    passOn<PFNGLDRAWARRAYSPROC>(DriverWork::drawing, "glDrawArrays", mode, first, count);
 }
 
 void APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
     note(count);
-    real<PFNGLDRAWELEMENTSPROC>("glDrawElements")(mode, count, type, indices);
+    passOn<PFNGLDRAWELEMENTSPROC>(DriverWork::drawing, "glDrawElements", mode, count, type,
+                                  indices);
 }
 
 void APIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                                   const void* indices) {
     note(count);
-    real<PFNGLDRAWRANGEELEMENTSPROC>("glDrawRangeElements")(mode, start, end, count, type, indices);
+    passOn<PFNGLDRAWRANGEELEMENTSPROC>(DriverWork::drawing, "glDrawRangeElements", mode, start, end,
+                                       count, type, indices);
 }
 
 void APIENTRY glDrawElementsBaseVertex(GLenum mode, GLsizei count, GLenum type, const void* indices,
                                        GLint baseVertex) {
     note(count);
-    real<PFNGLDRAWELEMENTSBASEVERTEXPROC>("glDrawElementsBaseVertex")(mode, count, type, indices,
-                                                                      baseVertex);
+    passOn<PFNGLDRAWELEMENTSBASEVERTEXPROC>(DriverWork::drawing, "glDrawElementsBaseVertex", mode,
+                                            count, type, indices, baseVertex);
 }
 
 void APIENTRY glDrawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances) {
     note(count);
-    real<PFNGLDRAWARRAYSINSTANCEDPROC>("glDrawArraysInstanced")(mode, first, count, instances);
+    passOn<PFNGLDRAWARRAYSINSTANCEDPROC>(DriverWork::drawing, "glDrawArraysInstanced", mode, first,
+                                         count, instances);
 }
 
 void APIENTRY glDrawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void* indices,
                                       GLsizei instances) {
     note(count);
-    real<PFNGLDRAWELEMENTSINSTANCEDPROC>("glDrawElementsInstanced")(mode, count, type, indices,
-                                                                    instances);
+    passOn<PFNGLDRAWELEMENTSINSTANCEDPROC>(DriverWork::drawing, "glDrawElementsInstanced", mode,
+                                           count, type, indices, instances);
 }
 
 }  // extern "C"

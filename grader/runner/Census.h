@@ -2,6 +2,7 @@
 
 #include <cg/Context.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 /// The draw census: what a scene really drew, whatever the student's code looks like.
 ///
 /// The runner exports its own draw entry points (glDrawElements and its kin), which the subject is
-/// bound to before the driver's. They note the call and pass it on. An instrument of honesty, not
-/// a wall: code that asks the driver for the real pointer goes around it.
+/// bound to before the driver's. They note the call and pass it on. So do those that compile and
+/// link shaders, for the sake of driverWork(). An instrument of honesty, not a wall: code that asks
+/// the driver for the real pointer goes around it.
 namespace runner {
 
 /// From now on calls go to `context`, which must stay until another is given.
@@ -26,5 +28,9 @@ struct Census {
     std::vector<std::string> todos;  ///< ids, each once
 };
 Census takeCensus();
+
+/// What the driver is at work on for the subject, in this thread. May be asked by a signal handler.
+enum class DriverWork : std::uint64_t { none, shaders, drawing };
+DriverWork driverWork();
 
 }  // namespace runner

@@ -6,6 +6,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/statvfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,7 +28,9 @@ using protocol::Answer;
 using protocol::Bytes;
 using protocol::Outcome;
 using protocol::Request;
+using protocol::RequestKind;
 
+constexpr const char* kNoAnswer = "bytes that are no answer came out of the submission's process";
 constexpr std::size_t kKeptOutput = 16384;
 constexpr int kLoaderFailed = 127;  // what ld.so exits with
 constexpr int kWatchMs = 20;        // how often what the child uses is looked at
@@ -79,6 +82,19 @@ double secondsOf(const timeval& time) {
 
 std::string inMib(std::size_t bytes) {
     return std::to_string(bytes / (1024 * 1024)) + " MiB";
+}
+
+/// "the 64 MiB of /tmp", where that is full to the last page. Only the first process of a sandbox
+/// has such folders to itself; elsewhere they are the machine's.
+std::string filledFolder() {
+    if (getpid() != 1)
+        return {};
+    for (const char* folder : {"/tmp", "/dev/shm"}) {
+        struct statvfs size {};
+        if (statvfs(folder, &size) == 0 && size.f_blocks > 0 && size.f_bavail == 0)
+            return "the " + inMib(size.f_blocks * size.f_frsize) + " of " + folder;
+    }
+    return {};
 }
 
 /// Kills what `group` left behind: its process group, then all that was orphaned, until nothing but
@@ -134,51 +150,43 @@ Child::~Child() {
 }
 
 Answer Child::ask(const Request& request) {
-    printed_.clear();
-    printedBytes_ = 0;
-    protocol::writeAll(channel_,
-                       protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
-    Bytes body;
     Answer answer;
-    switch (await(request, body)) {
-        case Event::answered:
-            answer = explainAnswer(body);
-            break;
-        case Event::closed:
-            answer = explainEnd(stop(true));
-            break;
-        case Event::late:
-            stop(false);
-            answer.outcome = Outcome::timeout;
-            break;
-        case Event::flooded:
-            stop(false);
-            answer.outcome = Outcome::output;
-            break;
-        case Event::greedy:
-            stop(false);
-            answer.outcome = Outcome::memory;
-            break;
-        case Event::crowded:
-            stop(false);
-            answer.outcome = Outcome::crash;
-            answer.detail =
-                "started more than " + std::to_string(allowance().threads) + " processes";
-            break;
-        case Event::hoarding:
-            stop(false);
-            answer.outcome = Outcome::crash;
-            answer.detail = "opened all the " + std::to_string(allowance().openFiles) +
-                            " files that it may have open";
-            break;
-    }
-    if (answer.outcome == Outcome::memory)
-        answer.detail = inMib(allowance().memoryBytes);
+    if (request.kind != RequestKind::call && !std::exchange(draws_, true))
+        answer = startOpenGl();
+    if (answer.outcome == Outcome::ok)
+        answer = exchange(request);
     answer.nonce = request.nonce;
     return answer;
 }
 
-Child::Event Child::await(const Request& request, Bytes& body) {
+Answer Child::startOpenGl() {
+    Request start;
+    start.kind = RequestKind::graphics;
+    start.timeoutMs = protocol::kStartMs;
+    Answer answer = exchange(start);
+    if (answer.outcome != Outcome::ok && answer.outcome != Outcome::faulty) {
+        answer = {};
+        answer.outcome = Outcome::faulty;
+        answer.detail = "OpenGL did not start";
+    }
+    return answer;
+}
+
+Answer Child::exchange(Request request) {
+    printed_.clear();
+    printedBytes_ = 0;
+    if (hasUnreadBytes())
+        return endedFor(Outcome::tampered, kNoAnswer);
+    request.nonce = protocol::freshNonce();
+    protocol::writeAll(channel_,
+                       protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
+    Answer answer = await(request);
+    if (answer.outcome == Outcome::memory)
+        answer.detail = inMib(allowance().memoryBytes);
+    return answer;
+}
+
+Answer Child::await(const Request& request) {
     using namespace std::chrono;
     const milliseconds allowed(request.timeoutMs);
     const auto start = steady_clock::now();
@@ -196,7 +204,7 @@ Child::Event Child::await(const Request& request, Bytes& body) {
             left = ceil<milliseconds>(end - steady_clock::now()).count();
         }
         if (left <= 0)
-            return Event::late;
+            return endedFor(Outcome::timeout);
         if (poll(waiting, 2, static_cast<int>(std::min<long>(left, kWatchMs))) < 0)
             continue;
         if (const auto now = steady_clock::now(); now - lastLook >= milliseconds(kWatchMs)) {
@@ -211,49 +219,59 @@ Child::Event Child::await(const Request& request, Bytes& body) {
         if (waiting[1].revents & POLLHUP)
             waiting[1].fd = -1;  // closed by the child itself: nothing more to watch
         if (printedBytes_ > request.outputBytes)
-            return Event::flooded;
+            return endedFor(Outcome::output);
         if (!waiting[0].revents)
             continue;
         const auto status = answer.step(channel_);
         if (!status)
             continue;
-        switch (*status) {
-            case protocol::ReadStatus::ok:
-                body = std::move(answer.body());
-                break;
-            case protocol::ReadStatus::closed:
-                drainOutput();
-                return Event::closed;
-            case protocol::ReadStatus::late:
-            case protocol::ReadStatus::malformed:
-                body.clear();
-                break;
-        }
         drainOutput();
-        if (holdsAllFiles())
-            return Event::hoarding;
-        return printedBytes_ > request.outputBytes ? Event::flooded : Event::answered;
+        if (const auto excess = excessOfFiles())
+            return *excess;
+        if (*status == protocol::ReadStatus::closed)
+            return explainEnd(stop(true));
+        if (printedBytes_ > request.outputBytes)
+            return endedFor(Outcome::output);
+        return explainAnswer(answer.body(), request.nonce);
     }
 }
 
-std::optional<Child::Event> Child::excessOfUse() const {
+Answer Child::endedFor(Outcome outcome, const std::string& detail) {
+    stop(false);
+    Answer answer;
+    answer.outcome = outcome;
+    answer.detail = detail;
+    return answer;
+}
+
+std::optional<Answer> Child::excessOfUse() {
     std::vector<pid_t> others;
     std::copy_if(living.begin(), living.end(), std::back_inserter(others),
                  [this](pid_t pid) { return pid != pid_; });
     const Usage used = usageWithout(others);
     const Allowance allowed = allowance();
     if (used.memoryBytes > allowed.memoryBytes)
-        return Event::greedy;
+        return endedFor(Outcome::memory);
     constexpr std::size_t kOwnThreads = 2;  // this process, and bubblewrap's where it waits
     if (used.threads + kOwnThreads >= allowed.threads)
-        return Event::crowded;
-    if (holdsAllFiles())
-        return Event::hoarding;
+        return endedFor(Outcome::crash,
+                        "started more than " + std::to_string(allowed.threads) + " processes");
+    return excessOfFiles();
+}
+
+std::optional<Answer> Child::excessOfFiles() {
+    const std::size_t most = allowance().openFiles;
+    if (openFilesOf(pid_) >= most)
+        return endedFor(Outcome::crash,
+                        "opened all the " + std::to_string(most) + " files that it may have open");
+    if (const std::string folder = filledFolder(); !folder.empty())
+        return endedFor(Outcome::output, "filled " + folder);
     return std::nullopt;
 }
 
-bool Child::holdsAllFiles() const {
-    return openFilesOf(pid_) >= allowance().openFiles;
+bool Child::hasUnreadBytes() const {
+    char byte;
+    return recv(channel_, &byte, 1, MSG_DONTWAIT | MSG_PEEK) > 0;
 }
 
 void Child::drainOutput() {
@@ -292,18 +310,14 @@ int Child::stop(bool letItEnd) {
     return status;
 }
 
-Answer Child::explainAnswer(const Bytes& body) {
+Answer Child::explainAnswer(const Bytes& body, const protocol::Nonce& nonce) {
     Answer answer;
-    char extra;
     try {
         answer = protocol::decodeAnswer(body);
-        if (recv(channel_, &extra, 1, MSG_DONTWAIT) > 0)
-            throw protocol::ProtocolError("bytes after the answer");
+        if (answer.nonce != nonce || hasUnreadBytes())
+            throw protocol::ProtocolError("not the answer, or more than that");
     } catch (const protocol::ProtocolError&) {
-        stop(false);
-        answer = {};
-        answer.outcome = Outcome::tampered;
-        answer.detail = "bytes that are no answer came out of the submission's process";
+        return endedFor(Outcome::tampered, kNoAnswer);
     }
     if (answer.outcome == Outcome::missing && answer.detail.starts_with("_Z"))
         answer.detail = describeMissingSymbol(files_.object, answer.detail);
@@ -328,10 +342,10 @@ Answer Child::explainEnd(int waitStatus) {
                             " s of processor time that it may have";
             return answer;
         }
-        std::vector<std::uint64_t> offsets(64);
-        const ssize_t got = read(crash_, offsets.data(), offsets.size() * sizeof offsets[0]);
-        offsets.resize(got > 0 ? static_cast<std::size_t>(got) / sizeof offsets[0] : 0);
-        answer.detail = locateCrash(files_.object, offsets);
+        std::vector<std::uint64_t> report(kLongestReport);
+        const ssize_t got = read(crash_, report.data(), report.size() * sizeof report[0]);
+        report.resize(got > 0 ? static_cast<std::size_t>(got) / sizeof report[0] : 0);
+        answer.detail = describeCrash(files_.object, report);
         return answer;
     }
     answer.outcome = Outcome::exited;

@@ -28,23 +28,29 @@ public:
     bool alive() const { return pid_ > 0; }
 
 private:
-    enum class Event { answered, closed, late, flooded, greedy, crowded, hoarding };
-
-    Event await(const protocol::Request& request, protocol::Bytes& body);
-    /// Whether the child and all that it started use more together than one process may.
-    std::optional<Event> excessOfUse() const;
+    /// Makes the context, before anything of the subject is loaded: no request pays for it.
+    protocol::Answer startOpenGl();
+    /// Sends a request down, with a nonce of its own, and waits for what becomes of it.
+    protocol::Answer exchange(protocol::Request request);
+    protocol::Answer await(const protocol::Request& request);
+    /// Ends the child when it and all that it started use more together than one process may.
+    std::optional<protocol::Answer> excessOfUse();
+    std::optional<protocol::Answer> excessOfFiles();
+    /// Ends the child and says why.
+    protocol::Answer endedFor(protocol::Outcome outcome, const std::string& detail = "");
     void drainOutput();
-    bool holdsAllFiles() const;
+    bool hasUnreadBytes() const;
     /// Kills the child with all it started, and reaps it. Returns the status of waitpid.
     int stop(bool letItEnd);
     protocol::Answer explainEnd(int waitStatus);
-    protocol::Answer explainAnswer(const protocol::Bytes& body);
+    protocol::Answer explainAnswer(const protocol::Bytes& body, const protocol::Nonce& nonce);
 
     const SubjectFiles& files_;
     pid_t pid_ = -1;
     int channel_ = -1;
     int output_ = -1;
     int crash_ = -1;
+    bool draws_ = false;            ///< OpenGL has been started
     double cpuSeconds_ = 0;         ///< of the child and what it waited for, once it has ended
     std::string printed_;           ///< the first part of what the child wrote
     std::size_t printedBytes_ = 0;  ///< all that it wrote in this request

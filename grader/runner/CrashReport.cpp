@@ -12,6 +12,8 @@
 #include <regex>
 #include <sstream>
 
+#include "runner/Census.h"
+
 namespace runner {
 
 namespace {
@@ -20,21 +22,21 @@ int reportDescriptor = -1;
 std::uintptr_t objectBase = 0;
 std::uintptr_t objectEnd = 0;
 
-constexpr int kMostFrames = 64;
+constexpr int kMostFrames = kLongestReport - 1;
 constexpr std::size_t kSignalStackBytes = 256 * 1024;
 
 void onFatalSignal(int signal) {
     static void* addresses[kMostFrames];
-    static std::uint64_t offsets[kMostFrames];
+    static std::uint64_t report[kLongestReport];
     const int count = backtrace(addresses, kMostFrames);
     std::size_t kept = 0;
+    report[kept++] = static_cast<std::uint64_t>(driverWork());
     for (int i = 0; i < count; ++i) {
         const auto address = reinterpret_cast<std::uintptr_t>(addresses[i]);
         if (address >= objectBase && address < objectEnd)
-            offsets[kept++] = address - objectBase;
+            report[kept++] = address - objectBase;
     }
-    if (kept > 0) [[maybe_unused]]
-        const auto written = write(reportDescriptor, offsets, kept * sizeof offsets[0]);
+    [[maybe_unused]] const auto written = write(reportDescriptor, report, kept * sizeof report[0]);
     ::signal(signal, SIG_DFL);
     raise(signal);
 }
@@ -66,6 +68,31 @@ std::string shellQuoted(const std::string& text) {
     return "'" + std::regex_replace(text, std::regex("'"), R"('\'')") + "'";
 }
 
+/// "rotation, rotation.cpp:17" for the innermost frame that lies in a file of the stage other than
+/// the harness; empty when there is none.
+std::string locate(const std::string& objectPath, const std::vector<std::uint64_t>& offsets) {
+    if (offsets.empty())
+        return {};
+    std::ostringstream command;
+    command << "addr2line -C -f -i -e " << shellQuoted(objectPath);
+    for (const std::uint64_t offset : offsets)
+        command << " 0x" << std::hex << offset - 1;  // a return address is one past its call
+    command << " 2>/dev/null";
+
+    std::istringstream lines(outputOf(command.str()));
+    std::string function, place;
+    while (std::getline(lines, function) && std::getline(lines, place)) {
+        // Files of the stage were compiled by their bare names: "./Camera.cpp:17".
+        if (!place.starts_with("./") || place.find("harness.cpp") != std::string::npos)
+            continue;
+        while (place.starts_with("./"))
+            place.erase(0, 2);
+        return function.substr(0, function.find('(')) + ", " +
+               place.substr(0, place.find(" (discriminator"));
+    }
+    return {};
+}
+
 }  // namespace
 
 void installCrashHandlers(int descriptor) {
@@ -90,27 +117,20 @@ void setCrashObject(std::uintptr_t base, std::uintptr_t end) {
     objectEnd = end;
 }
 
-std::string locateCrash(const std::string& objectPath, const std::vector<std::uint64_t>& offsets) {
-    if (offsets.empty())
+std::string describeCrash(const std::string& objectPath, const std::vector<std::uint64_t>& report) {
+    if (report.empty())
         return {};
-    std::ostringstream command;
-    command << "addr2line -C -f -i -e " << shellQuoted(objectPath);
-    for (const std::uint64_t offset : offsets)
-        command << " 0x" << std::hex << offset - 1;  // a return address is one past its call
-    command << " 2>/dev/null";
-
-    std::istringstream lines(outputOf(command.str()));
-    std::string function, place;
-    while (std::getline(lines, function) && std::getline(lines, place)) {
-        // Files of the stage were compiled by their bare names: "./Camera.cpp:17".
-        if (!place.starts_with("./") || place.find("harness.cpp") != std::string::npos)
-            continue;
-        while (place.starts_with("./"))
-            place.erase(0, 2);
-        return function.substr(0, function.find('(')) + ", " +
-               place.substr(0, place.find(" (discriminator"));
+    const std::string place = locate(objectPath, {report.begin() + 1, report.end()});
+    const std::string caller = ", called by " + (place.empty() ? "your code" : place);
+    switch (static_cast<DriverWork>(report.front())) {
+        case DriverWork::shaders:
+            return "the driver's shader compiler" + caller;
+        case DriverWork::drawing:
+            return "the driver (OpenGL)" + caller;
+        case DriverWork::none:
+            break;
     }
-    return {};
+    return place;
 }
 
 std::string describeMissingSymbol(const std::string& objectPath, const std::string& symbol) {

@@ -6,20 +6,21 @@
 
 /// Where in the subject a fatal signal struck.
 ///
-/// The dying child writes raw addresses; the parent, which never runs student code, turns them
-/// into a function and a line.
+/// The dying child writes raw numbers; the parent, which never runs student code, turns them into
+/// words.
 namespace runner {
 
-/// Child: on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT, writes the addresses of the call stack
-/// that lie in the object loaded at `base` … `end` to `descriptor` (as 64-bit offsets from `base`,
-/// innermost first), then dies of the signal. Runs on its own stack, so that endless recursion is
-/// reported too.
+/// Child: on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT, writes a report of 64-bit numbers to
+/// `descriptor`, then dies of the signal: the driver's work (Census.h), then the addresses of the
+/// call stack that lie in the object loaded at `base` … `end` (as offsets from `base`, innermost
+/// first). Runs on its own stack, so that endless recursion is reported too.
 void installCrashHandlers(int descriptor);
+inline constexpr std::size_t kLongestReport = 65;  ///< numbers
 void setCrashObject(std::uintptr_t base, std::uintptr_t end);
 
-/// Parent: "rotation, rotation.cpp:17" for the innermost frame that lies in a file of the stage
-/// other than the harness; empty when nothing is known. Calls addr2line.
-std::string locateCrash(const std::string& objectPath, const std::vector<std::uint64_t>& offsets);
+/// Parent: "rotation, rotation.cpp:17", or "the driver's shader compiler, called by" that; empty
+/// when nothing is known. Calls addr2line.
+std::string describeCrash(const std::string& objectPath, const std::vector<std::uint64_t>& report);
 
 /// Parent: a sentence about a symbol that nothing defines, with what is defined under the same
 /// name. Calls nm.

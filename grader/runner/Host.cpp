@@ -74,6 +74,7 @@ void Host::serve(int descriptor) {
             _exit(0);
         const Request request = protocol::decodeRequest(body);
         Answer answer = perform(request);
+        answer.nonce = request.nonce;
         flushOutput();
         if (loaded_) {
             answer.todos = harness_.reachedTodos();

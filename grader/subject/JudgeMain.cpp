@@ -1,5 +1,7 @@
 #include "subject/JudgeMain.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
@@ -128,7 +130,7 @@ void detail::compared(const std::string& what, std::vector<std::vector<double>> 
 }
 
 /// Lets the current check know what its requests ran into.
-void observe(Subject& each) {
+static void listenTo(Subject& each) {
     each.onTodos = [](const std::vector<std::string>& ids) {
         current.todos.insert(current.todos.end(), ids.begin(), ids.end());
     };
@@ -138,9 +140,21 @@ void observe(Subject& each) {
     };
 }
 
+/// Takes GoogleTest's variables out of the environment: a filter that somebody has set would leave
+/// checks out, and nobody would see it.
+static void clearVariablesOfGoogleTest() {
+    std::vector<std::string> names;
+    for (char** each = environ; *each; ++each)
+        if (const std::string variable = *each; variable.rfind("GTEST_", 0) == 0)
+            names.push_back(variable.substr(0, variable.find('=')));
+    for (const std::string& name : names)
+        unsetenv(name.c_str());
+}
+
 }  // namespace judge
 
 int main(int argc, char** argv) {
+    judge::clearVariablesOfGoogleTest();
     testing::InitGoogleTest(&argc, argv);
     CLI::App app("Runs the checks of one assignment in the judge. Started by the grader.");
     std::string resultPath, seedFile;
@@ -165,7 +179,7 @@ int main(int argc, char** argv) {
     }
 
     judge::theSubject = judge::makeSubject(runnerCommand, limits);
-    judge::observe(judge::subject());
+    judge::listenTo(judge::subject());
     judge::subject().callTimeoutMs = callMs;
     judge::subject().patienceSeconds = patience;
     judge::subject().outputBytes = outputKib * 1024;

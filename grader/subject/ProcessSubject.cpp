@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/prctl.h>
-#include <sys/random.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,23 +44,27 @@ protected:
             startOver();
         if (pid_ < 0)
             start();
-        if (getrandom(request.nonce.data(), sizeof request.nonce, 0) != sizeof request.nonce)
-            return fault("no random numbers to be had");
+        request.nonce = protocol::freshNonce();
         protocol::writeAll(
             channel_, protocol::framed(protocol::kRequestMagic, protocol::encodeRequest(request)));
         protocol::Bytes body;
         const auto status = protocol::readMessage(
-            channel_, protocol::kAnswerMagic, protocol::kLargestAnswer,
-            static_cast<int>(request.timeoutMs * protocol::kMostStretch) + kGraceMs, body);
+            channel_, protocol::kAnswerMagic, protocol::kLargestAnswer, patienceMs(request), body);
         const Answer answer = judged(request, status, body);
         const auto intervention = kernelSteppedIn();
-        if (!intervention)
-            return answer;
-        startOver();
-        return *intervention;
+        // What wrote too much may have filled a folder: the next one gets an empty one.
+        if (intervention || answer.outcome == Outcome::output)
+            startOver();
+        return intervention.value_or(answer);
     }
 
 private:
+    static int patienceMs(const Request& request) {
+        const bool draws = request.kind != protocol::RequestKind::call;
+        const std::uint32_t allowed = request.timeoutMs + (draws ? protocol::kStartMs : 0);
+        return static_cast<int>(allowed * protocol::kMostStretch) + kGraceMs;
+    }
+
     /// What has happened in the cgroup since this was last asked, as an answer.
     std::optional<Answer> kernelSteppedIn() {
         const Interventions now = interventionsIn(limits_.cgroup);
@@ -128,12 +131,21 @@ private:
         return answer;
     }
 
+    /// What the last system call said, for a throw.
+    static std::runtime_error cannot(const std::string& what) {
+        return std::runtime_error("cannot " + what + ": " + std::strerror(errno));
+    }
+
     void start() {
         int channel[2], errors[2];
-        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0 ||
-            pipe2(errors, O_CLOEXEC) != 0)
-            throw std::runtime_error(std::string("cannot open a channel to the runner: ") +
-                                     std::strerror(errno));
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0)
+            throw cannot("open a channel to the runner");
+        if (pipe2(errors, O_CLOEXEC) != 0) {
+            const auto why = cannot("open a pipe from the runner");
+            close(channel[0]);
+            close(channel[1]);
+            throw why;
+        }
         std::vector<char*> arguments;
         for (std::string& each : command_)
             arguments.push_back(each.data());
@@ -156,13 +168,17 @@ private:
             dprintf(2, "cannot start %s: %s\n", arguments[0], std::strerror(errno));
             _exit(127);
         }
+        const auto why = cannot("fork");
         close(channel[1]);
         close(errors[1]);
+        if (pid_ < 0) {
+            close(channel[0]);
+            close(errors[0]);
+            throw why;
+        }
         channel_ = channel[0];
         errors_ = errors[0];
         fcntl(errors_, F_SETFL, O_NONBLOCK);
-        if (pid_ < 0)
-            throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
     }
 
     /// Ends the runner; returns what it wrote to its standard error.

@@ -150,6 +150,40 @@ TEST_F(SteppedIn, WhatHappensBetweenRequestsIsNotTheNextOnesDoing) {
     EXPECT_NE(subject->call<int>("turn"), before) << "a new runner";
 }
 
+/// All the way down, in a sandbox whose memory for files is full when its first request comes.
+TEST(ProcessSubject, AFolderThatIsFullIsCalledSoAndTheNextRequestGetsAnEmptyOne) {
+    const testing_help::Tree tree;
+    const std::string folder = tree.path().string();
+    const std::vector<std::string> sandbox = {"bwrap",      "--unshare-all",
+                                              "--as-pid-1", "--die-with-parent",
+                                              "--ro-bind",  "/",
+                                              "/",          "--proc",
+                                              "/proc",      "--dev",
+                                              "/dev",       "--bind",
+                                              folder,       folder,
+                                              "--size",     "1048576",
+                                              "--tmpfs",    "/dev/shm",
+                                              "--"};
+    const auto within = [&](const std::vector<std::string>& more) {
+        auto command = sandbox;
+        command.insert(command.end(), more.begin(), more.end());
+        return command;
+    };
+    if (startSubject(within({FAKE_RUNNER, "honest"}))->ask({}).outcome != Outcome::ok)
+        GTEST_SKIP() << "bubblewrap does not work here";
+    const std::string fillOnce =
+        "mkdir " + folder + "/begun 2>&- && head -c 2M /dev/zero 2>&- > /dev/shm/file; exec \"$@\"";
+    const auto subject =
+        startSubject(within({"sh", "-c", fillOnce, "sh", RUNNER, GREEDY_SUBJECT, "/", "auto"}));
+    protocol::Request request;
+    request.name = "modest";
+    request.arguments = protocol::encode(1);
+    const Answer full = subject->ask(request);
+    EXPECT_EQ(full.outcome, Outcome::output);
+    EXPECT_EQ(explain("modest", request, full).message, "modest filled the 1 MiB of /dev/shm");
+    EXPECT_EQ(subject->call<int>("modest", 1), 2);
+}
+
 TEST(SubjectCall, AFailureIsExplainedBeforeItIsThrown) {
     const auto subject = fake("crash");
     std::string told;
