@@ -27,6 +27,13 @@ foreach(resource IN LISTS kit_resources)
     kit_copy(${resource} ${KIT}/${name})
     list(APPEND copies ${KIT}/${name})
 endforeach()
+# A header that is gone must not be found by anybody's #include.
+file(GLOB_RECURSE kit_there ${KIT}/include/*)
+foreach(file IN LISTS kit_there)
+    if(NOT file IN_LIST copies)
+        file(REMOVE ${file})
+    endif()
+endforeach()
 kit_copy(${CMAKE_CURRENT_SOURCE_DIR}/prelude.h ${KIT}/prelude/prelude.h)
 
 # The prelude is compiled with the very flags of a student's file, or the compiler ignores it.

@@ -4,9 +4,11 @@
 //       the first: moves into CGROUP (-: stays where it is), works in FOLDER with these variables
 //       and no others; root becomes USER, without groups. (USER 0: stays who it is, unless it is
 //       root.)
-//   confine limit cpu=S memory=MIB processes=N file=MIB files=N -- COMMAND…
+//   confine limit cpu=S memory=MIB processes=N file=MIB files=N [read=PATH… write=PATH…] --
+//   COMMAND…
 //       the last, inside the namespaces where there are any: sets the limits, gives up every way to
-//       gain rights, refuses dangerous system calls. What it takes away cannot be had back.
+//       gain rights, refuses dangerous system calls and, where paths are named, other files. What
+//       it takes away cannot be had back.
 //
 // Linked statically: started several times for each submission, it must cost next to nothing.
 
@@ -24,7 +26,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "confine/FileRules.h"
 #include "confine/SystemCalls.h"
 
 namespace {
@@ -38,7 +42,8 @@ constexpr int kCannotConfine = 126;
 rlim_t numberIn(std::string_view text) {
     rlim_t value = 0;
     const char* end = text.data() + text.size();
-    if (text.empty() || std::from_chars(text.data(), end, value).ptr != end)
+    const auto read = std::from_chars(text.data(), end, value);
+    if (text.empty() || read.ptr != end || read.ec != std::errc())
         throw std::runtime_error("expected a number, found \"" + std::string(text) + "\"");
     return value;
 }
@@ -105,7 +110,10 @@ void setLimit(std::string_view word) {
     for (const Kind& kind : kKinds) {
         if (equals == word.npos || kind.name != word.substr(0, equals))
             continue;
-        const rlim_t value = numberIn(word.substr(equals + 1)) * kind.unit;
+        const rlim_t number = numberIn(word.substr(equals + 1));
+        if (number > RLIM_INFINITY / kind.unit)
+            throw std::runtime_error("the limit " + std::string(word) + " is too large");
+        const rlim_t value = number * kind.unit;
         const rlimit both{value, value};
         if (setrlimit(kind.resource, &both) != 0)
             fail("the limit " + std::string(word) + " cannot be set");
@@ -115,12 +123,23 @@ void setLimit(std::string_view word) {
 }
 
 void limit(char** argv, int argc, int& at) {
-    takeUntilDashes(argv, argc, at, setLimit);
+    constexpr std::string_view kRead = "read=", kWrite = "write=";
+    std::vector<std::string> readable, writable;
+    takeUntilDashes(argv, argc, at, [&](std::string_view word) {
+        if (word.substr(0, kRead.size()) == kRead)
+            readable.emplace_back(word.substr(kRead.size()));
+        else if (word.substr(0, kWrite.size()) == kWrite)
+            writable.emplace_back(word.substr(kWrite.size()));
+        else
+            setLimit(word);
+    });
     const rlimit nothing{0, 0};
     if (setrlimit(RLIMIT_CORE, &nothing) != 0 || setrlimit(RLIMIT_MSGQUEUE, &nothing) != 0)
         fail("core dumps cannot be given up");
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         fail("new privileges cannot be given up");
+    if (!readable.empty() || !writable.empty())
+        confine::holdToFiles(readable, writable);
     confine::refuseDangerousCalls();
 }
 

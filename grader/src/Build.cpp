@@ -90,7 +90,7 @@ public:
               })) {}
 
     BuildResult run() {
-        fs::create_directories(out_);
+        makeClosedFolder(out_);
         shareWithSandbox(out_, user_, true);
         BuildResult result;
         result.stage = stageFolder_;
@@ -107,6 +107,7 @@ public:
                          [](const Diagnostic& a, const Diagnostic& b) {
                              return a.severity == "error" && b.severity != "error";
                          });
+        dropRepeated(result.diagnostics);
         if (result.diagnostics.size() > kMostDiagnostics)
             result.diagnostics.resize(kMostDiagnostics);
         for (Diagnostic& each : result.diagnostics)
@@ -137,7 +138,7 @@ private:
     /// What runs finds its shaders. It needs no source, and must not read what stands in for a part
     /// of its own.
     void layOutForRun() const {
-        fs::create_directories(stageFolder_);
+        makeClosedFolder(stageFolder_);
         for (const StagedFile& file : stage_.files)
             if (!isSource(file) && !isHeader(file.name))
                 writeFile(stageFolder_ / file.name, file.content);
@@ -203,11 +204,12 @@ private:
         }
         origin.key = sha256(origin.key);
         const fs::path made = objectOf(file);
-        fs::create_directories(made.parent_path());
+        makeClosedFolder(made.parent_path());
         shareWithSandbox(made.parent_path(), user_, true);
         if (const auto known = fetched(origin, made))
             return *known;
         const fs::path sources = compiling_ / objectName(file) / "sources";
+        makeClosedFolder(sources);
         for (const StagedFile* each : visible)
             writeFile(sources / each->name, withoutComments(each->content));
         shareWithSandbox(sources, user_, false);
@@ -375,9 +377,11 @@ private:
         const bool explained = std::any_of(found.begin(), found.end(), [](const Diagnostic& each) {
             return each.severity == "error";
         });
-        if (!made.ok && !explained)
+        if (!made.ok && !explained) {
+            const std::string said = withoutFolders(made.log.substr(0, made.log.find('\n')));
             found.push_back(
-                {"", 0, 0, "error", withoutFolders(made.log.substr(0, made.log.find('\n'))), ""});
+                {"", 0, 0, "error", said.empty() ? "the compiler ended without a word" : said, ""});
+        }
         result.diagnostics.insert(result.diagnostics.end(), found.begin(), found.end());
         result.ok = result.ok && made.ok;
         result.fromOutside = result.fromOutside || made.fromOutside;

@@ -58,9 +58,26 @@ std::string readFile(const fs::path& path) {
     return content;
 }
 
-void writeFile(const fs::path& path, const std::string& content) {
+namespace {
+
+void makeFoldersAbove(const fs::path& path) {
+    std::error_code failed;
     if (path.has_parent_path())
-        fs::create_directories(path.parent_path());
+        fs::create_directories(path.parent_path(), failed);
+    if (failed)
+        throw Error("{} cannot be made: {}", path.parent_path().string(), failed.message());
+}
+
+}  // namespace
+
+void makeClosedFolder(const fs::path& folder) {
+    makeFoldersAbove(folder);
+    if (mkdir(folder.c_str(), 0700) != 0 && (errno != EEXIST || chmod(folder.c_str(), 0700) != 0))
+        throw Error("{} cannot be made: {}", folder.string(), std::strerror(errno));
+}
+
+void writeFile(const fs::path& path, const std::string& content) {
+    makeFoldersAbove(path);
     // A name of its own: other processes and threads may write the same file at the same time.
     static std::atomic<unsigned> written{0};
     const fs::path temporary = fmt::format("{}.new{}.{}", path.string(), getpid(), written++);
@@ -72,7 +89,11 @@ void writeFile(const fs::path& path, const std::string& content) {
         unlink(temporary.c_str());
         throw Error("{} cannot be written: {}", path.string(), std::strerror(why));
     }
-    fs::rename(temporary, path);
+    if (rename(temporary.c_str(), path.c_str()) != 0) {
+        const int why = errno;
+        unlink(temporary.c_str());
+        throw Error("{} cannot be written: {}", path.string(), std::strerror(why));
+    }
 }
 
 std::string sha256(const std::string& data) {
@@ -109,7 +130,14 @@ FileLock::FileLock(const fs::path& file, Wait wait)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
     if (file_ < 0)
         throw Error("{} cannot be written: {}", file.string(), std::strerror(errno));
-    held_ = flock(file_, LOCK_EX | (wait == Wait::no ? LOCK_NB : 0)) == 0;
+    do
+        held_ = flock(file_, LOCK_EX | (wait == Wait::no ? LOCK_NB : 0)) == 0;
+    while (!held_ && errno == EINTR);
+    if (!held_ && errno != EWOULDBLOCK) {
+        const int why = errno;
+        close(file_);
+        throw Error("{} cannot be locked: {}", file.string(), std::strerror(why));
+    }
 }
 
 FileLock::~FileLock() {
@@ -124,13 +152,22 @@ WorkFolder::WorkFolder() {
     path_ = name;
     chmod(name.c_str(), 0711);  // sandboxes pass through, nobody can list it
     lock_ = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    flock(lock_, LOCK_EX | LOCK_NB);
+    if (lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+        const int why = errno;
+        remove();
+        throw Error("{} cannot be locked: {}", name, std::strerror(why));
+    }
+}
+
+void WorkFolder::remove() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    if (lock_ >= 0)
+        close(lock_);
 }
 
 WorkFolder::~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    close(lock_);
+    remove();
 }
 
 void removeAbandonedWork(int minutes) {

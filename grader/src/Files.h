@@ -18,8 +18,13 @@ std::vector<fs::path> entriesOf(const fs::path& folder);
 /// The whole file; throws Error when it cannot be read.
 std::string readFile(const fs::path& path);
 
-/// Writes by way of a temporary file and a rename, so that a reader never sees half of it.
+/// Writes by way of a temporary file and a rename, so that a reader never sees half of it; makes
+/// the folders that are missing. Throws Error, and then leaves nothing behind.
 void writeFile(const fs::path& path, const std::string& content);
+
+/// Makes a folder, and those above it that are missing, which only this user can enter: what is
+/// written into it is nobody else's to read, until shareWithSandbox() hands it over. Throws Error.
+void makeClosedFolder(const fs::path& folder);
 
 /// SHA-256 as 64 hexadecimal digits.
 std::string sha256(const std::string& data);
@@ -29,7 +34,7 @@ std::string sha256(const std::string& data);
 std::size_t firstInvalidUtf8(const std::string& text, std::size_t from = 0);
 
 /// Holds the lock of a file, which it makes if need be, as long as it lives. Throws Error when the
-/// file cannot be opened.
+/// file cannot be opened or locked.
 class FileLock {
 public:
     enum class Wait { yes, no };
@@ -46,7 +51,8 @@ private:
 };
 
 /// A new folder under the system's temporary folder, removed with all in it at the end. It is
-/// locked as long as its process lives, so that what a killed one left behind can be told.
+/// locked as long as its process lives, so that what a killed one left behind can be told. Throws
+/// Error when it cannot be made or locked.
 class WorkFolder {
 public:
     WorkFolder();
@@ -56,6 +62,8 @@ public:
     const fs::path& path() const { return path_; }
 
 private:
+    void remove();
+
     fs::path path_;
     int lock_ = -1;
 };

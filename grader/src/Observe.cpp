@@ -128,6 +128,7 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest, const
     Confinement confinement;
     confinement.readable = {tools_.kit, build.stage, build.object.parent_path()};
     confinement.workingFolder = build.stage;
+    confinement.programs = {"sh", "nm", "addr2line"};  // of CrashReport.h
     confinement.user = build.user;
     confinement.cgroup = cgroup.folder();
     // One thread, and no cache that another program could have filled.
@@ -141,11 +142,11 @@ std::vector<std::string> Observer::runnerCommand(const Manifest& manifest, const
 
 std::vector<TestOutcome> Observer::runTests(const Manifest& manifest, const BuildResult& build,
                                             std::uint64_t seed, const fs::path& work) const {
-    const fs::path resultFile = work / "checks.json";
-    // Not on the command line, which a submission may read where it has no namespace of its own.
+    // Neither the seed nor the right answers may be read where a submission has no namespace of its
+    // own: not on the command line, and in a folder that is closed.
     const fs::path closed = work / "judge";
-    fs::create_directories(closed);
-    fs::permissions(closed, fs::perms::owner_all);
+    const fs::path resultFile = closed / "checks.json";
+    makeClosedFolder(closed);
     writeFile(closed / "seed", std::to_string(seed));
     std::vector<std::string> command = {tools_.judge(manifest.id).string(),
                                         "--result",
@@ -213,7 +214,7 @@ protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
     nothing.stage = job.work.path() / "stage";
     nothing.object = nothing.stage / "none.so";
     nothing.user = job.user.id();
-    fs::create_directories(nothing.stage);
+    makeClosedFolder(nothing.stage);
     shareWithSandbox(nothing.stage, nothing.user, false);
     const Cgroup cgroup(limitsOf({}));
     const auto subject = judge::startSubject(runnerCommand({}, nothing, cgroup));
@@ -228,7 +229,10 @@ protocol::GraphicsInfo Observer::describeGraphics(const Job& job) const {
 
 double longestObservation(const Manifest& manifest) {
     constexpr double kGraceSeconds = 5;
-    const double frame = manifest.limits.frameSeconds * protocol::kMostStretch + kGraceSeconds;
+    // Each of them may have to start OpenGL anew.
+    const double frame =
+        (manifest.limits.frameSeconds + protocol::kStartMs / 1000.0) * protocol::kMostStretch +
+        kGraceSeconds;
     return kJudgeSeconds + static_cast<double>(manifest.frames.size() + 1) * frame;
 }
 

@@ -18,6 +18,7 @@
 #include "Cgroup.h"
 #include "Error.h"
 #include "Process.h"
+#include "confine/FileRules.h"
 
 namespace grader {
 
@@ -86,6 +87,23 @@ Command limitCommand(const fs::path& confine, const Limits& limits, int otherPro
     return command;
 }
 
+/// Where a system has programs and headers, as against libraries and data.
+constexpr const char* kFoldersOfPrograms[] = {
+    "/usr/bin", "/usr/sbin",      "/usr/libexec",       "/usr/lib/gcc",  "/usr/include",
+    "/usr/src", "/usr/local/bin", "/usr/local/include", "/usr/local/src"};
+
+/// Puts empty folders over these, but for the programs that are named.
+void hideProgramsBut(const std::vector<std::string>& names, Command& command) {
+    for (const char* folder : kFoldersOfPrograms)
+        if (fs::is_directory(folder)) {
+            append(command, {"--size", "4096", "--tmpfs", folder});
+            for (const std::string& name : names)
+                if (const fs::path program = fs::path(folder) / name; fs::exists(program))
+                    append(command, {"--ro-bind", fs::canonical(program), program});
+            append(command, {"--remount-ro", folder});
+        }
+}
+
 class Bubblewrap : public Sandbox {
 public:
     explicit Bubblewrap(fs::path confine) : confine_(std::move(confine)) {}
@@ -93,7 +111,7 @@ public:
     bool hidesFiles() const override { return true; }
     std::string weakness() const override { return ""; }
 
-    Command confine(const Confinement& confinement, const Command& command) const override {
+    Command confine(Confinement confinement, const Command& command) const override {
         const std::string id = std::to_string(kNobody);
         Command all = enterCommand(confine_, "/", confinement);
         append(all, {"bwrap",
@@ -127,6 +145,8 @@ public:
                      "--ro-bind",
                      "/usr",
                      "/usr"});
+        if (!confinement.programs.empty())
+            hideProgramsBut(confinement.programs, all);
         for (const char* name : {"/bin", "/lib", "/lib64"})
             if (fs::is_symlink(name))
                 append(all, {"--symlink", fs::read_symlink(name).string(), name});
@@ -153,19 +173,37 @@ class PlainProcess : public Sandbox {
 public:
     explicit PlainProcess(fs::path confine) : confine_(std::move(confine)) {}
     std::string name() const override { return "plain"; }
-    bool hidesFiles() const override { return false; }
+    bool hidesFiles() const override {
+        static const bool can = confine::canHoldToFiles();
+        return can;
+    }
     std::string weakness() const override {
-        return geteuid() == 0
-                   ? "without bubblewrap, the submission ran as a plain process with limits, as a "
-                     "user of its own, who can read what others may"
-                   : "without bubblewrap, the submission ran as a plain process with limits, so "
-                     "grade only code that you trust";
+        return std::string(
+                   "without bubblewrap, the submission ran as a plain process with limits, ") +
+               (geteuid() != 0 ? "so grade only code that you trust"
+                : hidesFiles()
+                    ? "as a user of its own, who sees which files and processes there are"
+                    : "as a user of its own, who can read what others may");
     }
 
-    Command confine(const Confinement& confinement, const Command& command) const override {
-        Command all = enterCommand(confine_, confinement.workingFolder, confinement);
+    Command confine(Confinement confinement, const Command& command) const override {
         static const int others = geteuid() == 0 ? 0 : threadsOfThisUser();
-        append(all, limitCommand(confine_, confinement.limits, others));
+        Command limits = limitCommand(confine_, confinement.limits, others);
+        if (hidesFiles()) {
+            const auto dashes = limits.end() - 1;
+            Command files;
+            for (const fs::path& each : confinement.readable)
+                files.push_back("read=" + each.string());
+            for (const fs::path& each : confinement.writable)
+                files.push_back("write=" + each.string());
+            limits.insert(dashes, files.begin(), files.end());
+            // The system's own folder for what is temporary belongs to all.
+            if (!confinement.writable.empty())
+                confinement.environment.push_back("TMPDIR=" +
+                                                  confinement.writable.front().string());
+        }
+        Command all = enterCommand(confine_, confinement.workingFolder, confinement);
+        append(all, limits);
         append(all, command);
         return all;
     }
@@ -200,8 +238,27 @@ bool runsInCi() {
     return value && *value && std::string(value) != "false";
 }
 
+namespace {
+
+/// Every sandbox shows these.
+void refuseAmongSystemFiles(const fs::path& secret) {
+    const fs::path real = fs::weakly_canonical(fs::absolute(secret));
+    for (const char* folder : {"/usr", "/bin", "/lib", "/lib32", "/lib64", "/libx32"})
+        if (const fs::path below = real.lexically_relative(folder);
+            !below.empty() && *below.begin() != "..")
+            throw Error(
+                "{} lies below {}, where every program in a sandbox may read: move it elsewhere, "
+                "below /srv or a home for instance",
+                secret.string(), folder);
+}
+
+}  // namespace
+
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish) {
     CgroupHome::ours();  // while there are no threads and children
+    if (wish.strangers)
+        for (const fs::path& each : wish.secrets)
+            refuseAmongSystemFiles(each);
     if (wish.none)
         return makePlainProcess(confine);
     auto bubblewrap = makeBubblewrap(confine);
@@ -222,28 +279,39 @@ std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish
 namespace {
 
 /// A process that may do what the user may kills all that it may. Only its effective identity is
-/// the user's: whoever is to be killed may not kill it first.
-void endAllOf(unsigned user) {
+/// the user's: whoever is to be killed may not kill it first. False when that could not be done.
+bool endAllOf(unsigned user) {
     const pid_t pid = fork();
     if (pid == 0) {
         // The kernel's own call: that of the C library tells other threads, and there are none.
-        if (syscall(SYS_setresuid, kEnder, user, kEnder) == 0)
-            kill(-1, SIGKILL);
-        _exit(0);
+        const bool ended = syscall(SYS_setresuid, kEnder, user, kEnder) == 0 &&
+                           (kill(-1, SIGKILL) == 0 || errno == ESRCH);
+        _exit(ended ? 0 : 1);
     }
-    while (pid > 0 && waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    int status = 0;
+    while (pid > 0 && waitpid(pid, &status, 0) < 0)
+        if (errno != EINTR)
+            return false;
+    return pid > 0 && status == 0;
 }
 
-/// What a user without a sandbox may have left where everybody may write.
+/// What a user whom nothing held to its own files may have left where everybody may write.
 void removeFilesOf(unsigned user) {
-    for (const char* folder : {"/tmp", "/var/tmp", "/dev/shm"})
+    for (const char* folder : {"/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run/lock"})
         for (const fs::path& each : entriesOf(folder)) {
             struct stat status {};
             std::error_code stays;
             if (lstat(each.c_str(), &status) == 0 && status.st_uid == user)
                 fs::remove_all(each, stays);
         }
+}
+
+/// Ends and removes what is left of a user. False when some of it may still run.
+bool cleanedUpAfter(unsigned user) {
+    if (!endAllOf(user))
+        return false;
+    removeFilesOf(user);
+    return true;
 }
 
 }  // namespace
@@ -263,7 +331,9 @@ JobUser::JobUser() : id_(geteuid()) {
             open((home / std::to_string(id)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
         if (file < 0)
             throw Error("{} cannot be written: {}", home.string(), std::strerror(errno));
-        if (flock(file, LOCK_EX | LOCK_NB) == 0) {
+        // Its file is empty, unless the last job's grader was killed before it could clean up.
+        if (flock(file, LOCK_EX | LOCK_NB) == 0 &&
+            (lseek(file, 0, SEEK_END) == 0 || cleanedUpAfter(id)) && write(file, "taken", 5) == 5) {
             id_ = id;
             lock_ = file;
             return;
@@ -276,8 +346,8 @@ JobUser::JobUser() : id_(geteuid()) {
 JobUser::~JobUser() {
     if (lock_ < 0)
         return;
-    endAllOf(id_);
-    removeFilesOf(id_);
+    const bool clean = cleanedUpAfter(id_) && ftruncate(lock_, 0) == 0;
+    (void)clean;  // if not, the next job does it
     close(lock_);
 }
 

@@ -22,6 +22,9 @@ struct Confinement {
     std::vector<fs::path> readable;
     std::vector<fs::path> writable;
     fs::path workingFolder;
+    /// Names of the system's programs that it needs; empty: all of them, and its headers. Only
+    /// bubblewrap hides the others.
+    std::vector<std::string> programs;
     std::vector<std::string> environment;  ///< "NAME=VALUE", beside the few that all programs see
     unsigned user = 0;  ///< whom root becomes before it starts the program; see JobUser
     fs::path cgroup;    ///< which it enters before that; see Cgroup. Empty: none
@@ -44,7 +47,7 @@ public:
     virtual bool hidesFiles() const = 0;
 
     /// The command that runs `command` confined. Descriptors are inherited.
-    virtual std::vector<std::string> confine(const Confinement& confinement,
+    virtual std::vector<std::string> confine(Confinement confinement,
                                              const std::vector<std::string>& command) const = 0;
 };
 
@@ -53,8 +56,9 @@ public:
 /// `confine`: our program with the first and the last step into a sandbox, see grader/confine.
 std::unique_ptr<Sandbox> makeBubblewrap(const fs::path& confine);
 
-/// A plain process with the same limits and filter; as root, another user. It can read what that
-/// user can read, and see other processes.
+/// A plain process with the same limits and filter; as root, another user. Where the kernel has
+/// Landlock, it opens no file but those that its confinement names, and the system's; else it can
+/// read what that user can. It sees other processes, and names of files.
 std::unique_ptr<Sandbox> makePlainProcess(const fs::path& confine);
 
 /// How long a sandbox may take to start: a crowded machine must not pass for one without any.
@@ -67,10 +71,12 @@ int memoryForOwn(int mib);
 struct SandboxWish {
     bool none = false;       ///< --no-sandbox: a plain process, whatever the machine has
     bool strangers = false;  ///< other people's code is run, and nobody watches
+    std::vector<fs::path> secrets = {};  ///< which that code must not read
 };
 
 /// Bubblewrap where it works, else a plain process. Throws Error where strangers' code would run as
-/// the grader's own user, unless none was wished for.
+/// the grader's own user, unless none was wished for, and where it could read a secret because that
+/// lies among the system's own files.
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish = {});
 
 /// Whether it was not the command that failed, but what was to confine it, before it began.
@@ -81,9 +87,9 @@ bool runsInCi();
 
 /// The user that the programs of one job run as when the grader was started by root: one without a
 /// name, whom no other job on this machine has at the same time, so that the limits and files of
-/// neighbours are apart. Otherwise the grader's own. Whatever of that user still runs at the end is
-/// killed, and what it left in the system's temporary folders removed, before another job may get
-/// it. Throws Error when all are taken.
+/// neighbours are apart. Otherwise the grader's own. Whatever of that user still runs is killed,
+/// and what it left in the system's temporary folders removed, at the end and before another job
+/// gets it: the grader may have been killed meanwhile. Throws Error when all are taken.
 class JobUser {
 public:
     JobUser();

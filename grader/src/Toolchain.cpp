@@ -2,10 +2,10 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
-#include <set>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "Error.h"
 #include "Sandbox.h"

@@ -29,13 +29,15 @@ look() {
     case "$1" in "$kit") return ;; esac
     case "$kit" in
         "$1"/*) for each in "$1"/* "$1"/.[!.]*; do look "$each"; done ;;
-        *) [ ! -e "$1" ] || seen="$seen $1" ;;
+        *) head -c 1 "$1" > /dev/null 2>&1 || ls "$1"/ > /dev/null 2>&1 && seen="$seen $1" ;;
     esac
 }
 kit=$1
 for name in /etc/passwd /root /home /var /run; do look $name; done
 echo "Visible:$seen"
-echo "Writable:$(for name in / /usr /tmp; do [ -w $name ] && printf ' %s' $name; done)"
+echo "Writable:$(for name in / /usr /tmp; do
+    { : > $name/.written; } 2> /dev/null && rm $name/.written && printf ' %s' $name
+done)"
 echo "Cores: $(ulimit -c)"
 echo "Memory: $(ulimit -v)"
 echo "Threads: $(bash -c 'ulimit -u')"
@@ -175,7 +177,9 @@ std::vector<Defence> defencesFrom(const Confession& said, const std::string& san
         : visible.empty() ? "nothing of /etc/passwd, /root, /home, /var, /run"
                           : "it sees " + visible,
         how);
-    add("read_only", "writes nowhere but in its /tmp", spoke && (writable == "/tmp"),
+    // In a namespace /tmp is its own, else everybody's.
+    add("read_only", "writes nowhere but in its own folders",
+        spoke && writable == (namespaces ? "/tmp" : ""),
         "it can write to " + (writable.empty() ? "nothing" : writable), how);
     const std::string processes = valueOf(said, "Processes");
     add("processes", "sees no other process", processes.size() == 1 && is("Self", "1"),

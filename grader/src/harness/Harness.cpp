@@ -56,33 +56,25 @@ public:
             for (std::string& each :
                  remarksFrom(readFile(metadata), outcome.scored.points, sumIsShown(outcome.result)))
                 outcome.scored.remarks.push_back(std::move(each));
-        write(gradescopeResult(outcome.scored));
+        writeFile(results_, gradescopeResult(outcome.scored));
     }
-    void deliverFault() const override { write(gradescopeFault()); }
+    void deliverFault() const override { writeFile(results_, gradescopeFault()); }
 
 private:
-    void write(const std::string& text) const {
-        fs::create_directories(home_ / "results");
-        writeFile(home_ / "results/results.json", text);
-    }
-
-    const fs::path home_;
+    const fs::path home_, results_ = home_ / "results/results.json";
 };
 
 class PrairieLearn : public Harness {
 public:
     explicit PrairieLearn(const fs::path& root) : home_((root.empty() ? "/" : root) / "grade") {}
     fs::path submission() const override { return home_ / "student"; }
-    void deliver(Outcome outcome) const override { write(prairieLearnResult(outcome.scored)); }
-    void deliverFault() const override { write(prairieLearnFault()); }
+    void deliver(Outcome outcome) const override {
+        writeFile(results_, prairieLearnResult(outcome.scored));
+    }
+    void deliverFault() const override { writeFile(results_, prairieLearnFault()); }
 
 private:
-    void write(const std::string& text) const {
-        fs::create_directories(home_ / "results");
-        writeFile(home_ / "results/results.json", text);
-    }
-
-    const fs::path home_;
+    const fs::path home_, results_ = home_ / "results/results.json";
 };
 
 /// Takes out what its student is not to see. Points of tasks stay.
@@ -194,7 +186,8 @@ Scored scoredOf(const AssignmentResult& result, const fs::path& report) {
 void gradeAndDeliver(const PlatformRun& run, const Harness& harness) {
     const Toolchain tools = Toolchain::load();
     const Manifest manifest = loadAssignment(tools.root, run.assignment);
-    const auto sandbox = chooseSandbox(tools.confine(), {.none = run.noSandbox, .strangers = true});
+    const auto sandbox = chooseSandbox(
+        tools.confine(), {.none = run.noSandbox, .strangers = true, .secrets = {tools.root}});
     const Grader grader(tools, *sandbox, {.context = run.context});
     Outcome outcome;
     outcome.result = grade(grader, *sandbox, manifest, harness.submission(), run.seed);
