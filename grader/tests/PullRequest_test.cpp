@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "Lab.h"
+#include "Regions.h"
 
 /// Pull requests against a bare repository, graded by the very script that GitHub's action runs, in
 /// a checkout of the base, with GitHub's environment files.
@@ -14,6 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kRotation = "assignments/06-rotation/rotation.cpp";
+constexpr const char* kCamera = "assignments/07-camera/Camera.cpp";
 
 struct Answer {
     int exitCode = -1;
@@ -136,6 +140,26 @@ TEST_F(PullRequestTest, CompileErrorsAreRemarksAtTheirLines) {
                 HasSubstr("The first compile error:\n\n```text\nrotation.cpp:3:12"));
 }
 
+TEST_F(PullRequestTest, AShaderThatDoesNotCompileIsOneRemarkAtItsLine) {
+    const std::string shader = "assignments/10-lighting/shaders/lighting.frag";
+    const std::string broken = withRegion(solved(shader), "emission", "\noops\n").value();
+    write(shader, broken);
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    const auto line =
+        1 + std::count(broken.begin(), broken.begin() + long(broken.find("oops")), '\n');
+    // The parser names the line of `oops`, or that of the token after it.
+    const std::string remark = "::error file=" + shader + ",line=";
+    const std::size_t at = answer.log.find(remark);
+    ASSERT_NE(at, std::string::npos) << answer.log;
+    EXPECT_NEAR(std::stoi(answer.log.substr(at + remark.size())), line, 2);
+    EXPECT_EQ(answer.log.find("::error ", at + 1), std::string::npos) << answer.log;
+    EXPECT_THAT(answer.log, AllOf(Not(HasSubstr("::warning ")), Not(HasSubstr("%0A%0A"))));
+    EXPECT_THAT(answer.summary,
+                AllOf(HasSubstr("The first compile error:\n\n```text\nshaders/lighting.frag:"),
+                      HasSubstr("| 0 / 10 | shaders/lighting.frag does not compile |")));
+}
+
 TEST_F(PullRequestTest, EditedGraderTestsAndWorkflowsHaveNoEffectAndAreNamed) {
     write("grader/README", "a better one");
     write(".github/workflows/grade.yml", "on: push\njobs: {}\n");
@@ -162,6 +186,28 @@ TEST_F(PullRequestTest, OfNothingToGradeTheSummarySaysSo) {
     EXPECT_FALSE(fs::exists(answer.report));
 }
 
+TEST_F(PullRequestTest, WorkInTheWrongPlaceDoesNotPass) {
+    write("rotation.cpp", solved(kRotation));
+    write("assignments/06-rotation/Rotation.cpp", solved(kRotation));
+    write("work/transformed_normal.vert", "// mine\n");
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << answer.log;
+    EXPECT_THAT(
+        answer.summary,
+        AllOf(HasSubstr("Nothing to grade"),
+              HasSubstr("* assignments/06-rotation/Rotation.cpp is not graded where it is: rename "
+                        "it to assignments/06-rotation/rotation.cpp"),
+              HasSubstr("rename it to assignments/07-camera/shaders/transformed\\_normal.vert")));
+    EXPECT_THAT(answer.log, HasSubstr("::error title=in the wrong place::"));
+    EXPECT_THAT(answer.outputs, HasSubstr("passed=false"));
+    // Beside the right one a copy is only not used.
+    write(kRotation, solved(kRotation));
+    fs::remove_all(student() / "work");
+    const Answer right = grade();
+    EXPECT_EQ(right.exitCode, 0) << right.log;
+    EXPECT_THAT(right.summary, AllOf(HasSubstr("100 / 100"), HasSubstr("* `rotation.cpp`")));
+}
+
 TEST_F(PullRequestTest, AnEmptyPullRequestIsNothingToGrade) {
     const Answer answer = grade();
     EXPECT_EQ(answer.exitCode, 0) << answer.log;
@@ -170,14 +216,35 @@ TEST_F(PullRequestTest, AnEmptyPullRequestIsNothingToGrade) {
 
 TEST_F(PullRequestTest, TwoAssignmentsTheOneTakesTheOthersFile) {
     write(kRotation, solved(kRotation));
-    for (const char* name : {"Camera.h", "Camera.cpp", "shaders/transformed_normal.vert"})
+    for (const char* name : {"Camera.h", "shaders/transformed_normal.vert"})
         write(fmt::format("assignments/07-camera/{}", name),
               solved(fmt::format("assignments/07-camera/{}", name)));
+    const std::string begun = regionsOf(readFile(student() / kCamera)).at("perspective");
+    write(kCamera, withRegion(solved(kCamera), "perspective", begun).value());
     const Answer answer = grade();
     EXPECT_EQ(answer.exitCode, 0) << answer.log;
-    EXPECT_THAT(answer.summary,
-                AllOf(HasSubstr("06-rotation Rotation: 100 / 100"), HasSubstr("07-camera")));
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("06-rotation Rotation: 100 / 100"),
+                                      HasSubstr("07-camera"), Not(HasSubstr("08-perspective"))));
     EXPECT_THAT(answer.outputs, HasSubstr("points=200\nmax-points=200"));
+}
+
+TEST_F(PullRequestTest, ATaskInAFileOfAnEarlierAssignmentIsGradedForItsOwn) {
+    const std::string right = regionsOf(solved(kCamera)).at("perspective");
+    write(kCamera, withRegion(readFile(student() / kCamera), "perspective", right).value());
+    const Answer answer = grade();
+    EXPECT_EQ(answer.exitCode, 1) << "of 07 nothing is solved\n" << answer.log;
+    EXPECT_THAT(answer.summary, HasSubstr("08-perspective Perspective: 45 / 100"));
+    // Lost, it is remarked where it is.
+    write(kCamera,
+          withRegion(readFile(student() / kCamera), "perspective", "    proj = glm::mat4(1.0f);\n")
+              .value());
+    const std::string text = readFile(student() / kCamera);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + long(text.find("// BEGIN TODO(perspective)")),
+                       '\n');
+    EXPECT_THAT(grade().log, HasSubstr(fmt::format("::warning file={},line={},title=The "
+                                                   "perspective projection",
+                                                   kCamera, line)));
 }
 
 TEST_F(PullRequestTest, FilesThatWereCarriedForwardCountWhereTheyAre) {
@@ -238,6 +305,37 @@ TEST_F(PullRequestTest, NamesOfAnyLetterAndHugeNumbersOfFilesAreListedShort) {
     EXPECT_THAT(answer.summary, AllOf(HasSubstr("größe"), HasSubstr("and many more")));
     EXPECT_LT(answer.summary.size(), 10000u);
     EXPECT_THAT(answer.log, Not(HasSubstr("\nb::error")));
+}
+
+// Ten folders of ten folders of … take 200 bytes a level, and no disk could hold them. git is ended
+// before it has listed one.
+TEST_F(PullRequestTest, ATreeThatUnfoldsWithoutEndIsListedShort) {
+    write(kRotation, solved(kRotation));
+    commit("my work", "HEAD:refs/heads/mine");
+    sh("cd student && tree=$(printf '100644 blob %s\tx\n' $(echo x | git hash-object -w --stdin)"
+       " | git mktree) && for level in $(seq 12); do tree=$(for each in $(seq 10); do"
+       " printf '040000 tree %s\t%s\n' $tree $each; done | git mktree); done &&"
+       " tree=$({ git ls-tree HEAD; printf '040000 tree %s\tbomb\n' $tree; } | git mktree) &&"
+       " commit=$(git commit-tree -m bomb -p HEAD $tree) && git update-ref refs/heads/bomb $commit"
+       " && git push -q origin +$commit:refs/pull/7/head");
+    const Answer answer = graded(commitOf("student", "bomb"));
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary,
+                AllOf(HasSubstr("06-rotation Rotation: 100 / 100"), HasSubstr("* and many more")));
+    EXPECT_LT(answer.summary.size(), 10000u);
+}
+
+TEST_F(PullRequestTest, ANameThatNoDiskTakesIsOnlyListed) {
+    write(kRotation, solved(kRotation));
+    commit("my work", "HEAD:refs/heads/mine");
+    sh("cd student && blob=$(echo x | git hash-object -w --stdin) && tree=$({ git ls-tree HEAD;"
+       " printf '100644 blob %s\t%0300d\n' $blob 7; } | git mktree) &&"
+       " commit=$(git commit-tree -m long -p HEAD $tree) && git update-ref refs/heads/long $commit"
+       " && git push -q origin +$commit:refs/pull/7/head");
+    const Answer answer = graded(commitOf("student", "long"));
+    EXPECT_EQ(answer.exitCode, 0) << answer.log;
+    EXPECT_THAT(answer.summary, AllOf(HasSubstr("06-rotation Rotation: 100 / 100"),
+                                      HasSubstr(std::string(199, '0') + "…")));
 }
 
 TEST_F(PullRequestTest, WhatAStudentPrintsIsNeitherACommandNorMarkup) {

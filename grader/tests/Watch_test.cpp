@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -20,6 +21,7 @@ using testing::Not;
 using testing_help::PseudoTerminal;
 
 const std::string kRotation = "06-rotation/rotation.cpp";
+const std::string kCamera = "07-camera/Camera.cpp";
 const std::string kWaiting = "q quit";  // the end of the line with the keys
 
 class Watch : public testing::Test {
@@ -122,6 +124,10 @@ TEST_F(Watch, ABuildErrorKeepsWhatIsComparedWith) {
     terminal.type("h");
     EXPECT_THAT(terminal.waitFor("hint: "), HasSubstr("degres"));
     terminal.waitFor(kWaiting);
+    terminal.type("n");
+    const std::string next = terminal.waitFor(kWaiting);
+    EXPECT_THAT(next, HasSubstr("'degres' was not declared"));
+    EXPECT_THAT(next, Not(HasSubstr("cross-matrix"))) << "which stands at full points";
     overwrite(kRotation, solved(kRotation) + "// mended\n");
     const std::string mended = terminal.waitFor(kWaiting);
     EXPECT_THAT(mended, HasSubstr("No points earned or lost."));
@@ -204,7 +210,7 @@ TEST_F(Watch, ShadersAreWatchedToo) {
     terminal.waitFor(kWaiting);
     overwrite(shader, with(shader, "emission", "oops\n"));
     const std::string broken = terminal.waitFor(kWaiting);
-    EXPECT_THAT(broken, HasSubstr("a shader does not compile"));
+    EXPECT_THAT(broken, HasSubstr("shaders/lighting.frag does not compile"));
     EXPECT_THAT(broken, HasSubstr("shaders/lighting.frag:"));
     EXPECT_THAT(broken, Not(HasSubstr("no longer")));
     replace(shader, with(shader, "emission",
@@ -222,11 +228,40 @@ TEST_F(Watch, AnInheritedFileGradesEveryAssignmentThatUsesIt) {
         return all;
     }());
     terminal.waitFor(kWaiting);
-    overwrite("07-camera/Camera.cpp",
-              with("07-camera/Camera.cpp", "perspective", "    proj = glm::mat4(1.0f);\n"));
-    terminal.waitFor("08-perspective  ");
-    const std::string verdict = terminal.waitFor(kWaiting);
-    EXPECT_THAT(verdict, HasSubstr("✗ perspective: "));
+    const auto perspective = [&](const std::string& body) {
+        overwrite(kCamera, with(kCamera, "perspective", body));
+        terminal.waitFor("08-perspective  ");
+        return terminal.waitFor(kWaiting);
+    };
+    EXPECT_THAT(perspective("    proj = glm::mat4(1.0f);\n"), HasSubstr("✗ perspective: "));
+    EXPECT_THAT(perspective("    proj = glm::mat4(2.0f);\n"),
+                HasSubstr("No points earned or lost."));
+}
+
+TEST_F(Watch, ATaskInAFileOfAnEarlierAssignmentHasItsVerdictsAndItsPlace) {
+    const std::string wrong[] = {with(kCamera, "perspective", "    proj = glm::mat4(1.0f);\n"),
+                                 with(kCamera, "perspective", "    proj = glm::mat4(2.0f);\n")};
+    const auto line =
+        1 + std::count(wrong[0].begin(),
+                       wrong[0].begin() + long(wrong[0].find("// BEGIN TODO(perspective)")), '\n');
+    const std::string place = "Camera.cpp:" + std::to_string(line);
+    replace(kCamera, wrong[0]);
+    PseudoTerminal terminal(command("08-perspective"));
+    EXPECT_THAT(terminal.waitFor(kWaiting),
+                HasSubstr("Watching 08-perspective: projection.cpp, Camera.cpp"));
+    const auto save = [&](const std::string& name, const std::string& text) {
+        replace(name, text);
+        const std::string verdict = terminal.waitFor(kWaiting);
+        EXPECT_THAT(verdict, HasSubstr("No points earned or lost.")) << name;
+        EXPECT_THAT(verdict, HasSubstr("✗ perspective: ")) << name;
+        terminal.type("n");
+        return terminal.waitFor(kWaiting);
+    };
+    EXPECT_THAT(save(kCamera, wrong[1]), HasSubstr("07-camera/" + place));
+    // Carried forward, the copies count.
+    save("08-perspective/Camera.h", solved("07-camera/Camera.h"));
+    EXPECT_THAT(save("08-perspective/Camera.cpp", wrong[0]), HasSubstr("08-perspective/" + place));
+    save("08-perspective/Camera.cpp", wrong[1]);
 }
 
 TEST_F(Watch, CtrlCAmidAGradingLeavesNothing) {

@@ -7,12 +7,13 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Fields.h"
 #include "Grade.h"
-#include "commands/GradeCommand.h"
 #include "pull_request/GitHub.h"
 #include "pull_request/Markdown.h"
 #include "report/HtmlReport.h"
+#include "report/PlainText.h"
 #include "report/TerminalReport.h"
 #include "report/Words.h"
 
@@ -81,6 +82,8 @@ void tell(const PullRequestResult& graded, const fs::path& files, const Options&
         text += terminalReport(each, {false, 80, false}) + "\n";
     if (graded.results.empty())
         text = "No file that students hand in was changed: nothing to grade.\n";
+    for (const std::string& each : graded.changes.misplaced)
+        text += harmless(each) + "\n";
     if (variable("GITHUB_ACTIONS") == "true")
         std::cout << withoutCommands(text) << annotationsOf(graded, files);
     else
@@ -94,8 +97,8 @@ void tell(const PullRequestResult& graded, const fs::path& files, const Options&
 int gradeChanges(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const PullRequest request = requestOf(options, tools.root);
-    const auto sandbox =
-        chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
+    const auto sandbox = chooseSandbox(
+        tools.confine(), {.none = options.noSandbox, .strangers = true, .secrets = {tools.root}});
     std::vector<Manifest> course;
     for (const std::string& id : knownAssignments(tools.root))
         course.push_back(loadAssignment(tools.root, id));
@@ -169,8 +172,8 @@ void addPullRequestCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--no-sandbox", options.noSandbox,
                       "run the code as a plain process with limits");
     command->footer(
-        "Exit codes: 0 every changed assignment passed (or none was changed), 1 one did not, 2 the "
-        "grader or its use was wrong.");
+        "Exit codes: 0 every changed assignment passed (or none was changed), 1 one did not, or a "
+        "file is in the wrong place, 2 the grader or its use was wrong.");
     command->callback([&exitCode] { exitCode = gradePullRequest(options); });
 }
 

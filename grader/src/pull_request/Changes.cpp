@@ -10,6 +10,8 @@
 #include "Collect.h"
 #include "Error.h"
 #include "Git.h"
+#include "Regions.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -106,6 +108,85 @@ std::map<std::string, std::string> renamesIn(const PullRequest& request,
     return renames;
 }
 
+using Regions = std::map<std::string, std::string>;
+
+/// The regions of a file at a commit, whatever its line ends; none where it has no such file.
+Regions regionsAt(const PullRequest& request, const std::string& commit, const std::string& path) {
+    const ProcessResult ran = git(request.repository, {"cat-file", "blob", commit + ":" + path});
+    std::string text = ran.succeeded() ? ran.output : "";
+    std::erase(text, '\r');
+    return regionsOf(text);
+}
+
+bool differIn(const Regions& before, const Regions& now, const std::string& task) {
+    const auto was = before.find(task), is = now.find(task);
+    if (was == before.end() || is == now.end())
+        return (was == before.end()) != (is == now.end());
+    return was->second != is->second;
+}
+
+/// The assignments that inherit a file of this one and have a task in it that was changed: one that
+/// only uses the file is not what the student worked on.
+std::vector<std::string> solvedIn(const PullRequest& request, const std::string& origin,
+                                  const std::vector<Manifest>& course, const std::string& owner,
+                                  const std::string& path) {
+    const std::string file = path.substr(pathOf(owner, "").size());
+    const Regions before = regionsAt(request, origin, path),
+                  now = regionsAt(request, request.head, path);
+    std::vector<std::string> all;
+    for (const Manifest& each : course)
+        if (const auto from = each.inherits.find(file);
+            from != each.inherits.end() && from->second == owner &&
+            std::any_of(each.tasks.begin(), each.tasks.end(),
+                        [&](const Task& task) { return differIn(before, now, task.id); }))
+            all.push_back(each.id);
+    return all;
+}
+
+/// One sentence for each deleted file of a student.
+std::vector<std::string> noticesOf(const PullRequest& request, const std::string& origin,
+                                   const std::set<std::string>& deleted) {
+    std::vector<std::string> notices;
+    const auto renames =
+        deleted.empty() ? std::map<std::string, std::string>() : renamesIn(request, origin);
+    for (const std::string& path : deleted) {
+        const auto renamed = renames.find(path);
+        notices.push_back(renamed == renames.end()
+                              ? fmt::format("{} was deleted", path)
+                              : fmt::format("{} was renamed to {}: it is read only under its old "
+                                            "name",
+                                            path, renamed->second));
+    }
+    return notices;
+}
+
+std::string nameOf(const std::string& path) {
+    return lowered(path.substr(path.rfind('/') + 1));
+}
+
+/// What a path may be meant for: the student's file of that path, or else of that name, but for
+/// upper and lower case.
+class Meanings {
+public:
+    Meanings(const std::vector<Manifest>& course, const std::map<std::string, std::string>& taken) {
+        for (const Manifest& each : course)
+            for (const std::string& file : each.submit)
+                meant_.emplace(nameOf(file), pathOf(each.id, file));
+        for (const auto& [path, assignment] : taken)
+            meant_.emplace(lowered(path), path);
+    }
+    /// Empty for nothing.
+    std::string of(const std::string& path) const {
+        auto found = meant_.find(lowered(path));
+        if (found == meant_.end())
+            found = meant_.find(nameOf(path));
+        return found == meant_.end() ? "" : found->second;
+    }
+
+private:
+    std::map<std::string, std::string> meant_;
+};
+
 }  // namespace
 
 std::string pathOf(const std::string& assignment, const std::string& file) {
@@ -118,32 +199,34 @@ Changes changesOf(const PullRequest& request, const std::vector<Manifest>& cours
     const auto taken = studentPaths(course);
     Changes changes;
     bool cut = false;
-    std::set<std::string> changed, deleted;
+    std::set<std::string> assignments, changed, deleted;
     for (const Entry& each : differences(request, origin, {}, keysOf(taken), cut)) {
         const auto at = taken.find(each.path);
         if (at == taken.end())
             continue;  // it lies in a folder that took a file's name
-        changed.insert(at->second);
+        changed.insert(each.path);
+        assignments.insert(at->second);
+        for (const std::string& id : solvedIn(request, origin, course, at->second, each.path))
+            assignments.insert(id);
         if (each.letter == 'D')
             deleted.insert(each.path);
     }
     if (cut)
         throw Error("{}: git cannot compare {} with {}", request.repository.string(), origin,
                     request.head);
-    changes.assignments.assign(changed.begin(), changed.end());
-    const auto renames =
-        deleted.empty() ? std::map<std::string, std::string>() : renamesIn(request, origin);
-    for (const std::string& path : deleted) {
-        const auto renamed = renames.find(path);
-        changes.notices.push_back(
-            renamed == renames.end()
-                ? fmt::format("{} was deleted", path)
-                : fmt::format("{} was renamed to {}: it is read only under its old name", path,
-                              renamed->second));
-    }
+    changes.assignments.assign(assignments.begin(), assignments.end());
+    changes.notices = noticesOf(request, origin, deleted);
+    const Meanings meanings(course, taken);
     for (const Entry& each : differences(request, origin, {}, {}, changes.unusedCut)) {
         if (taken.contains(each.path))
             continue;
+        const bool ofInstructors =
+            each.path.starts_with("solutions/") || each.path.starts_with("grader/");
+        const std::string meant =
+            each.letter == 'A' && !ofInstructors ? meanings.of(each.path) : "";
+        if (!meant.empty() && changed.insert(meant).second)  // told once
+            changes.misplaced.push_back(fmt::format(
+                "{} is not graded where it is: rename it to {}, or remove it", each.path, meant));
         if (changes.unused.size() < kMostUnused)
             changes.unused.push_back(each.path);
         else

@@ -17,10 +17,15 @@ struct PullRequest {
 
 /// What a pull request changes, counted from where its branch left the base's.
 struct Changes {
-    std::vector<std::string> assignments;  ///< those with a changed file of a student, in order
-    std::vector<std::string> unused;       ///< all other changed paths
-    bool unusedCut = false;                ///< there are more than can be listed
+    /// Those with a changed file of a student in their folder, and those that inherit one in which
+    /// the region of a task of theirs has changed; in order.
+    std::vector<std::string> assignments;
+    std::vector<std::string> unused;   ///< all other changed paths
+    bool unusedCut = false;            ///< there are more than can be listed
     std::vector<std::string> notices;  ///< files of students, renamed or deleted: one sentence each
+    /// New files that are called like a student's and lie elsewhere, where that one has not
+    /// changed: one sentence each. What they were meant for is not graded.
+    std::vector<std::string> misplaced;
 };
 
 /// Throws Error where a commit is not in the repository, or is no full name of one (40 or 64

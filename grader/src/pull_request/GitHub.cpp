@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "pull_request/Markdown.h"
 #include "report/Words.h"
@@ -18,11 +20,48 @@ constexpr const char* kFault =
     "The grader itself failed; this is not your mistake, and no mark. Please tell your "
     "instructor.\n\n";
 
-const Diagnostic* firstError(const AssignmentResult& result) {
-    const auto found =
-        std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
-                     [](const Diagnostic& each) { return each.severity == "error"; });
-    return found == result.diagnostics.end() ? nullptr : &*found;
+std::vector<Diagnostic> diagnosticsOf(const AssignmentResult& result, const std::string& severity) {
+    std::vector<Diagnostic> all;
+    std::copy_if(result.diagnostics.begin(), result.diagnostics.end(), std::back_inserter(all),
+                 [&](const Diagnostic& each) { return each.severity == severity; });
+    return all;
+}
+
+/// The first error of each shader in the message of a check that needs it (cg::GlslStage), and what
+/// is said about it below the compiler's log. None in any other message.
+std::vector<Diagnostic> shaderErrorsIn(const CheckResult& check) {
+    std::vector<Diagnostic> errors;
+    if (check.status != Status::buildError)
+        return errors;
+    std::istringstream lines(check.message);
+    for (std::string line; std::getline(lines, line);) {
+        const auto found = parseDiagnostics(line);
+        if (line.starts_with("hint: ") && !errors.empty())
+            errors.back().message += "\n" + line;
+        else if (!found.empty() && found[0].severity == "error" &&
+                 (errors.empty() || errors.back().file != found[0].file))
+            errors.push_back(found[0]);
+    }
+    return errors;
+}
+
+/// What no compiler accepts: of C++ every error, of each shader the first.
+std::vector<Diagnostic> errorsOf(const AssignmentResult& result) {
+    std::vector<Diagnostic> errors = diagnosticsOf(result, "error");
+    std::set<std::string> told;
+    for (const TaskResult& task : result.tasks)
+        for (const CheckResult& check : task.checks)
+            for (const Diagnostic& each : shaderErrorsIn(check))
+                if (told.insert(each.file).second)
+                    errors.push_back(each);
+    return errors;
+}
+
+/// A check's message; of a shader's errors only whose they are, for they are told at their lines.
+std::string messageOf(const CheckResult& check) {
+    if (const auto errors = shaderErrorsIn(check); !errors.empty())
+        return errors.front().file + " does not compile";
+    return check.message.substr(0, check.message.find_last_not_of(" \n") + 1);
 }
 
 /// What a task lost, in one sentence: the mistake where it is known, else its first lost check.
@@ -31,7 +70,7 @@ std::string lossOf(const TaskResult& task) {
         return task.recognised->says;
     for (const CheckResult& check : task.checks)
         if (!check.full())
-            return check.title + ": " + check.message;
+            return check.title + ": " + messageOf(check);
     return "";
 }
 
@@ -56,9 +95,9 @@ std::string lossesInCell(const TaskResult& task) {
         if (check.full() || check.status == Status::pending)
             continue;
         if (sameForAll(task))
-            return escapedMarkdown(check.message);
+            return escapedMarkdown(messageOf(check));
         if (++lost <= kMostChecksShown)
-            cell += escapedMarkdown(fmt::format("{}: {}", check.title, check.message)) + "<br>";
+            cell += escapedMarkdown(fmt::format("{}: {}", check.title, messageOf(check))) + "<br>";
     }
     if (lost > kMostChecksShown)
         cell += fmt::format("and {} more<br>", lost - kMostChecksShown);
@@ -68,14 +107,15 @@ std::string lossesInCell(const TaskResult& task) {
 }
 
 std::string errorSection(const AssignmentResult& result) {
-    const Diagnostic* error = firstError(result);
-    if (!error)
+    const auto errors = errorsOf(result);
+    if (errors.empty())
         return "";
-    const auto source = quoted(*error, 100);
-    std::string text = placeOf(*error) + error->message;
+    const Diagnostic& error = errors.front();
+    const auto source = quoted(error, 100);
+    std::string text = placeOf(error) + error.message;
     if (!source.line.empty())
         text += "\n" + source.line + "\n" + source.caret;
-    const std::string hint = hintFor(*error);
+    const std::string hint = hintFor(error);
     return "The first compile error:\n\n" + fencedMarkdown(text) +
            (hint.empty() ? "" : "\n" + escapedMarkdown(hint) + "\n") + "\n";
 }
@@ -170,10 +210,8 @@ std::string placeProperties(const fs::path& file, int line, int column) {
     return text + ",";
 }
 
-/// Where a task's region begins among the files of the assignment.
-std::string regionProperties(const fs::path& files, const std::string& assignment,
-                             const std::string& task) {
-    const fs::path folder = files / assignment;
+/// Where a task's region begins in a folder below `files`; empty where it has none.
+std::string regionIn(const fs::path& folder, const fs::path& files, const std::string& task) {
     if (!fs::is_directory(folder))
         return "";
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -189,10 +227,45 @@ std::string regionProperties(const fs::path& files, const std::string& assignmen
     return "";
 }
 
+/// The same in the assignment's folder, or else in that of the one which it inherits the file from.
+std::string regionProperties(const fs::path& files, const std::string& assignment,
+                             const std::string& task) {
+    std::vector<fs::path> folders = entriesOf(files);
+    folders.insert(folders.begin(), files / assignment);
+    for (const fs::path& folder : folders)
+        if (const std::string place = regionIn(folder, files, task); !place.empty())
+            return place;
+    return "";
+}
+
+bool isLostToAShader(const TaskResult& task) {
+    return task.status == Status::buildError &&
+           std::any_of(task.checks.begin(), task.checks.end(),
+                       [](const CheckResult& check) { return !shaderErrorsIn(check).empty(); });
+}
+
+/// What each task lost, at its region; nothing where a shader's error says it all.
+void annotateTasks(const AssignmentResult& result, const fs::path& files, Kind& warnings,
+                   Kind& notices) {
+    for (const TaskResult& task : result.tasks) {
+        if (task.status == Status::pass || task.status == Status::pending ||
+            result.status != "graded" || isLostToAShader(task))
+            continue;
+        Kind& kind = task.status == Status::notImplemented ? notices : warnings;
+        const std::string hint = hintOf(task);
+        kind.add(regionProperties(files, result.assignment, task.id) +
+                     fmt::format("title={}", commandProperty(fmt::format(
+                                                 "{}: {}", task.title,
+                                                 scoreText(task.points, task.maxPoints)))),
+                 lossOf(task) + (hint.empty() ? "" : "\nHint: " + hint));
+    }
+}
+
 }  // namespace
 
 bool PullRequestResult::passed() const {
-    return std::all_of(results.begin(), results.end(),
+    return changes.misplaced.empty() &&
+           std::all_of(results.begin(), results.end(),
                        [&](const AssignmentResult& each) { return passes(each, passFrom); });
 }
 
@@ -211,6 +284,12 @@ std::string summaryOf(const PullRequestResult& graded) {
         text =
             "## Nothing to grade\n\nThis pull request changes no file that a handout lists under "
             "\"Hand in\".\n\n";
+    if (!graded.changes.misplaced.empty()) {
+        text += "The check does not pass, for what is in the wrong place is not graded:\n\n";
+        for (const std::string& each : graded.changes.misplaced)
+            text += "* " + escapedMarkdown(each) + "\n";
+        text += "\n";
+    }
     for (const AssignmentResult& each : graded.results)
         text += sectionOf(each, graded.passFrom);
     for (const std::string& notice : graded.changes.notices)
@@ -223,6 +302,8 @@ std::string summaryOf(const PullRequestResult& graded) {
 std::string annotationsOf(const PullRequestResult& graded, const fs::path& files) {
     Kind errors("error"), warnings("warning"), notices("notice");
     // These first: what is beyond the most that are shown is lost.
+    for (const std::string& each : graded.changes.misplaced)
+        errors.add("title=in the wrong place", each);
     for (const std::string& each : graded.changes.notices)
         notices.add("title=not taken", each);
     if (!graded.changes.unused.empty())
@@ -234,24 +315,17 @@ std::string annotationsOf(const PullRequestResult& graded, const fs::path& files
                                     : fmt::format(", nor those to {} other files",
                                                   graded.changes.unused.size() - 1)));
     for (const AssignmentResult& result : graded.results) {
-        for (const Diagnostic& each : result.diagnostics)
-            if (each.severity == "error")
-                errors.add(placeProperties(studentFile(files, result.assignment, each.file),
-                                           each.line, each.column) +
-                               "title=does not compile",
-                           each.message);
-        for (const TaskResult& task : result.tasks) {
-            if (task.status == Status::pass || task.status == Status::pending ||
-                result.status != "graded")
-                continue;
-            Kind& kind = task.status == Status::notImplemented ? notices : warnings;
-            const std::string hint = hintOf(task);
-            kind.add(regionProperties(files, result.assignment, task.id) +
-                         fmt::format("title={}", commandProperty(fmt::format(
-                                                     "{}: {}", task.title,
-                                                     scoreText(task.points, task.maxPoints)))),
-                     lossOf(task) + (hint.empty() ? "" : "\nHint: " + hint));
-        }
+        const auto addAll = [&](Kind& kind, const std::vector<Diagnostic>& all, const char* title) {
+            for (const Diagnostic& each : all)
+                kind.add(placeProperties(studentFile(files, result.assignment, each.file),
+                                         each.line, each.column) +
+                             "title=" + title,
+                         each.message);
+        };
+        addAll(errors, errorsOf(result), "does not compile");
+        annotateTasks(result, files, warnings, notices);
+        if (!result.full())  // what is lost comes first
+            addAll(warnings, diagnosticsOf(result, "warning"), "the compiler warns");
     }
     return errors.lines() + warnings.lines() + notices.lines();
 }

@@ -196,10 +196,23 @@ TEST(WatchText, TheGradersOwnFaultIsNoStudents) {
 
 TEST(WatchText, ATaskSaysWhereItIs) {
     const Json result = resultOf({failed("a", 4)});
-    const std::string text = taskText(result, result.at("tasks").at(0), kPlain);
-    EXPECT_THAT(text, HasSubstr("assignments/07-camera/README.md"));
-    EXPECT_THAT(text, HasSubstr("TODO(rotate-up)"));
+    const Json& task = result.at("tasks").at(0);
+    const std::string text = taskText(result, task, "assignments/07-camera/Camera.cpp:19", kPlain);
+    EXPECT_THAT(text, HasSubstr("assignments/07-camera/README.md: `rotate-up`"));
+    EXPECT_THAT(text, HasSubstr("assignments/07-camera/Camera.cpp:19: TODO(rotate-up)"));
     EXPECT_THAT(text, HasSubstr("0 / 4"));
+    EXPECT_THAT(text, HasSubstr("✗ title of a: expected 1, got 2"));
+    EXPECT_THAT(taskText(result, task, "", kPlain), HasSubstr("in the code: TODO(rotate-up)"));
+}
+
+TEST(WatchText, OfATaskWhoseShaderDoesNotCompileTheFirstErrorsAreShown) {
+    const Json result = resultOf({check("a", Status::buildError, 0, 4,
+                                        "shaders/x.frag does not compile:\n"
+                                        "shaders/x.frag:32: error: `oops' undeclared\n")});
+    const std::string text = taskText(result, result.at("tasks").at(0), "", kPlain);
+    EXPECT_THAT(text, HasSubstr("✗ shaders/x.frag does not compile:\n"));
+    EXPECT_THAT(text, HasSubstr("      shaders/x.frag:32: error: `oops' undeclared\n"));
+    EXPECT_THAT(text, Not(HasSubstr("title of a")));
 }
 
 }  // namespace

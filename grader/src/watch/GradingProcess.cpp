@@ -11,7 +11,9 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "Error.h"
 
@@ -50,11 +52,25 @@ void send(int channel, const Json& message) {
     _exit(0);
 }
 
+/// Reads /proc/ID/stat: a name in parentheses, which may hold anything, then state and parent
+/// (proc(5)). 0 where there is no such process any more.
+pid_t parentOf(const fs::path& process) {
+    std::ifstream file(process / "stat");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::istringstream fields(text.substr(text.rfind(')') + 1));
+    char state = '?';
+    pid_t parent = 0;
+    fields >> state >> parent;
+    return parent;
+}
+
+/// The kernel's own lists of children are not in every kernel.
 std::set<pid_t> childrenOfThis() {
-    std::ifstream file("/proc/thread-self/children");
     std::set<pid_t> children;
-    for (pid_t each = 0; file >> each;)
-        children.insert(each);
+    for (const fs::path& each : entriesOf("/proc"))
+        if (const pid_t id = std::atoi(each.filename().c_str());
+            id > 0 && parentOf(each) == getpid())
+            children.insert(id);
     return children;
 }
 

@@ -115,7 +115,7 @@ private:
         TerminalWriter out(options_.style);
         for (const Watched& each : watched_)
             out.paragraph(fmt::format("Watching {}: ", each.manifest.id),
-                          fmt::format("{}", fmt::join(each.manifest.submit, ", ")));
+                          fmt::format("{}", fmt::join(each.names, ", ")));
         out.paragraph("", keys_.available() ? "Save a file to grade it again."
                                             : "Save a file to grade it again. Ctrl-C ends this.");
         say(out.take() + "\n");
@@ -235,20 +235,23 @@ private:
     void lookAtFiles() {
         const bool patient =
             Clock::now() - lastEvent_ < kPatience && Clock::now() - *pendingSince_ < kMostPatience;
-        bool waits = false, any = false;
+        bool waits = false;
         std::vector<Watched*> changed;
+        std::vector<std::size_t> saved;
         for (std::size_t i = 0; i < watched_.size(); ++i) {
             Watched& one = watched_[i];
             const Contents now = contentsOf(one.files);
             if (now == one.graded && !(mayHaveReadHalf_ && &one == running_))
                 continue;
             waits = waits || (patient && looksUnfinished(one.graded, now));
-            const bool own = one.ownChanged(now);
-            one.saved = one.saved || own;
-            if (own && !std::exchange(any, true))
-                current_ = i;
+            const bool own = one.changed(one.own, now), shared = one.changed(one.shared, now);
+            one.saved = one.saved || own || (shared && one.isBegun());
+            if (own || shared)
+                saved.push_back(i);
             changed.push_back(&one);
         }
+        if (!saved.empty())
+            noteSaved(saved);
         unfinished_ = waits;
         if (waits)
             return;
@@ -262,6 +265,14 @@ private:
                 ++abandoned_;
             }
         }
+    }
+
+    /// The student works on one of those for which a saved file is handed in: on the same as before
+    /// where it is among them.
+    void noteSaved(const std::vector<std::size_t>& saved) {
+        if (std::find(saved.begin(), saved.end(), current_) == saved.end())
+            current_ = saved.front();
+        watched_[current_].saved = true;
     }
 
     // ---- waiting ----
@@ -352,11 +363,14 @@ private:
     }
 
     void tellNextTask(const Watched& one) {
+        if (doesNotCompile(one.result))  // no task can be told done from not done
+            return say(hintText(one.result, options_.style));
         const Json* task = nextTask(one.result, toldTask_);
         if (!task)
             return say("  Every task is done.\n");
         toldTask_ = task->at("id");
-        say(taskText(one.result, *task, options_.style));
+        say(taskText(one.result, *task, placeOfRegion(options_.submission, one.manifest, toldTask_),
+                     options_.style));
     }
 
     void openPage() {

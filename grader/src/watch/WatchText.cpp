@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Diagnostics.h"
+#include "ResultDocument.h"
 #include "report/Words.h"
 
 namespace grader {
@@ -20,8 +21,7 @@ std::vector<Diagnostic> errorsOf(const Json& result) {
     std::vector<Diagnostic> errors;
     for (const Json& each : result.at("build").at("diagnostics"))
         if (each.at("severity") == "error")
-            errors.push_back({each.at("file"), each.at("line"), each.at("column"), "error",
-                              each.at("message"), each.at("source")});
+            errors.push_back(diagnosticFrom(each));
     return errors;
 }
 
@@ -61,7 +61,7 @@ void writeNext(TerminalWriter& out, const Json& result) {
     const std::string status = check->at("status");
     const std::string sign = symbolOf(judge::statusFromString(status));
     if (status == "build_error") {
-        out.paragraph("  ", fmt::format("{}: a shader does not compile", task.at("id")));
+        out.paragraph("  ", fmt::format("{}: does not compile", task.at("id")));
         writeLog(out, check->at("message"));
         return;
     }
@@ -132,21 +132,25 @@ std::string hintText(const Json& result, const TerminalStyle& style) {
     return out.take();
 }
 
-std::string taskText(const Json& result, const Json& task, const TerminalStyle& style) {
+std::string taskText(const Json& result, const Json& task, const std::string& place,
+                     const TerminalStyle& style) {
     TerminalWriter out(style);
     const std::string id = task.at("id");
     out.row(fmt::format("  {} {:<16} {}", symbolOf(judge::statusFromString(task.at("status"))), id,
                         task.at("title")),
             scoreText(task.at("points"), task.at("max_points")));
-    out.paragraph(
-        "    ", fmt::format("`{}` in assignments/{}/README.md; in the code between BEGIN TODO({}) "
-                            "and END TODO({})",
-                            id, result.at("assignment"), id, id));
+    out.paragraph("    ", fmt::format("{}: TODO({})", place.empty() ? "in the code" : place, id));
+    out.paragraph("    ",
+                  fmt::format("assignments/{}/README.md: `{}`", result.at("assignment"), id));
     const Json& checks = task.at("checks");
     const auto lost = std::find_if(checks.begin(), checks.end(), [](const Json& check) {
         return check.at("status") != "pass" && check.at("status") != "not_implemented";
     });
-    if (lost != checks.end())
+    if (lost == checks.end())
+        return out.take();
+    if (lost->at("status") == "build_error")
+        writeLog(out, lost->at("message"));
+    else
         out.paragraph("    ✗ ", fmt::format("{}: {}", lost->at("title"), lost->at("message")));
     return out.take();
 }

@@ -19,7 +19,9 @@ std::string verdictText(const Json& result, const std::vector<Change>& changes,
 /// The hint of the first check that lost something.
 std::string hintText(const Json& result, const TerminalStyle& style);
 
-/// A task that is not done: title, points, where it is in handout and code.
-std::string taskText(const Json& result, const Json& task, const TerminalStyle& style);
+/// A task that is not done: title, points, where it is in handout and code. `place`: FILE:LINE of
+/// its region; may be empty.
+std::string taskText(const Json& result, const Json& task, const std::string& place,
+                     const TerminalStyle& style);
 
 }  // namespace grader

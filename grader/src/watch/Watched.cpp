@@ -2,14 +2,52 @@
 
 #include <algorithm>
 
+#include "Error.h"
+
 namespace grader {
+
+namespace {
+
+/// Nothing of what is no file, or gone meanwhile, or not to be read.
+std::string textOf(const fs::path& file) {
+    try {
+        return typeOf(file) == fs::file_type::regular ? readFile(file) : "";
+    } catch (const Error&) {
+        return "";
+    }
+}
+
+/// Number of the line with a region's first mark; 0 where there is none.
+std::ptrdiff_t lineOfRegion(const std::string& text, const std::string& task) {
+    const std::size_t at = text.find("// BEGIN TODO(" + task + ")");
+    if (at == std::string::npos)
+        return 0;
+    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+}
+
+/// As somebody who stands in the course's folder names it.
+std::string shown(const fs::path& file, const Manifest& manifest) {
+    const fs::path below = file.lexically_relative(manifest.folder.parent_path().parent_path());
+    return below.empty() || *below.begin() == ".." ? file.string() : below.string();
+}
+
+}  // namespace
 
 bool Watched::isFull() const {
     return !result.is_null() && result.at("status") == "graded" && !firstLost(result);
 }
 
-bool Watched::ownChanged(const Contents& now) const {
-    return std::any_of(own.begin(), own.end(), [&](const fs::path& file) {
+bool Watched::isBegun() const {
+    if (result.is_null())
+        return false;
+    const Json& tasks = result.at("tasks");
+    return std::any_of(tasks.begin(), tasks.end(), [](const Json& task) {
+        return task.at("status") != "not_implemented" && task.at("status") != "pending";
+    });
+}
+
+bool Watched::changed(const std::vector<fs::path>& some, const Contents& now) const {
+    return std::any_of(some.begin(), some.end(), [&](const fs::path& file) {
         const auto before = graded.find(file);
         return before != graded.end() && before->second != now.at(file);
     });
@@ -21,15 +59,21 @@ std::vector<Watched> watchedOf(const fs::path& root, const Submission& submissio
     for (const std::string& id : assignments) {
         Watched one;
         one.manifest = loadAssignment(root, id);
-        const fs::path folder = submission.folderFor(id, id);
+        const auto add = [&](std::vector<fs::path>& to, const std::string& name) {
+            const std::vector<fs::path> places = submission.placesOf(one.manifest, name);
+            to.insert(to.end(), places.begin(), places.end());
+        };
+        one.names = one.manifest.submit;
         for (const std::string& name : one.manifest.submit)
-            one.own.push_back(folder / name);
+            add(one.own, name);
         one.files = one.own;
-        for (const auto& [name, from] : one.manifest.inherits) {
-            one.files.push_back(folder / name);
-            if (submission.perAssignment)
-                one.files.push_back(submission.folderFor(from, id) / name);
-        }
+        for (const auto& [name, from] : one.manifest.inherits)
+            add(one.files, name);
+        for (const auto& [name, starter] : handedIn(one.manifest))
+            if (one.manifest.inherits.contains(name)) {
+                one.names.push_back(name);
+                add(one.shared, name);
+            }
         all.push_back(std::move(one));
     }
     return all;
@@ -40,6 +84,18 @@ std::vector<fs::path> filesOf(const std::vector<Watched>& all) {
     for (const Watched& each : all)
         files.insert(files.end(), each.files.begin(), each.files.end());
     return files;
+}
+
+std::string placeOfRegion(const Submission& submission, const Manifest& manifest,
+                          const std::string& task) {
+    std::vector<std::string> names = manifest.submit;
+    for (const auto& [name, from] : manifest.inherits)
+        names.push_back(name);
+    for (const std::string& name : names)
+        if (const auto file = submission.placeOf(manifest, name))
+            if (const auto line = lineOfRegion(textOf(*file), task); line > 0)
+                return fmt::format("{}:{}", shown(*file, manifest), line);
+    return "";
 }
 
 }  // namespace grader
