@@ -1,9 +1,9 @@
 # course_add_assignment(NN-name): everything that assignment.json does not say itself.
 #
-#   NN-name             its window, from the student's files in assignments/
+#   NN-name             its window, from the student's files in assignments/, where all are there
 #   NN-name_solution    the same window from solutions/, where all that it is made of is there
 #   NN-name_tests       the judge's test program: public tests, and hidden ones where present
-#   NN-name_debug       the same tests with the student's files linked in, for a debugger
+#   NN-name_debug       the same tests with the student's files linked in, for a debugger; as above
 
 # Student files of an assignment: `submit` as paths in ${tree}, then inherited ones.
 function(course_student_files id tree out_own out_inherited)
@@ -34,6 +34,19 @@ function(course_student_files id tree out_own out_inherited)
     endif()
     set(${out_own} ${own} PARENT_SCOPE)
     set(${out_inherited} ${inherited} PARENT_SCOPE)
+endfunction()
+
+# Those of the files that are not there: students rename and delete theirs. CMake runs again when
+# one comes back.
+function(course_missing_files out)
+    set(missing)
+    foreach(file IN LISTS ARGN)
+        file(GLOB there LIST_DIRECTORIES false CONFIGURE_DEPENDS ${file})
+        if(NOT there)
+            list(APPEND missing ${file})
+        endif()
+    endforeach()
+    set(${out} ${missing} PARENT_SCOPE)
 endfunction()
 
 # Links a student's files into `target`: their own directly, inherited ones from an archive, so
@@ -98,6 +111,19 @@ function(course_add_window target id tree)
     target_link_libraries(${target} PRIVATE cg_window)
 endfunction()
 
+function(course_add_debug id tests)
+    set(source ${PROJECT_SOURCE_DIR}/assignments/${id})
+    course_provided_sources(${id} provided)
+    add_executable(${id}_debug EXCLUDE_FROM_ALL ${tests} ${source}/harness.cpp ${provided})
+    course_link_student_files(${id}_debug ${id} assignments)
+    course_student_code(${id}_debug)
+    course_add_resources(${id}_debug ${id} assignments)
+    target_include_directories(${id}_debug PRIVATE ${source}/tests)
+    target_compile_options(${id}_debug PRIVATE -g -O0)
+    target_link_libraries(${id}_debug PRIVATE judge_linked OpenGL::OpenGL)
+    set_target_properties(${id}_debug PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/debug)
+endfunction()
+
 function(course_add_assignment id)
     set(source ${PROJECT_SOURCE_DIR}/assignments/${id})
     set(solution ${PROJECT_SOURCE_DIR}/solutions/${id})
@@ -106,15 +132,18 @@ function(course_add_assignment id)
         message(FATAL_ERROR "assignments/${id}/tests holds no test: expected at least one *.cpp")
     endif()
 
-    course_add_window(${id} ${id} assignments)
+    course_student_files(${id} assignments own inherited)
+    course_missing_files(missing ${own} ${inherited})
+    if(missing)
+        list(JOIN missing ", " missing)
+        message(STATUS "${id} has no window and no debug program, for this is missing: ${missing}")
+    else()
+        course_add_window(${id} ${id} assignments)
+        course_add_debug(${id} "${tests}")
+    endif()
     course_student_files(${id} solutions solved inherited)
     list(FILTER inherited EXCLUDE REGEX "\\.h$")  # else the starter's
-    set(missing)
-    foreach(file IN LISTS solved inherited)
-        if(NOT EXISTS ${file})
-            list(APPEND missing ${file})
-        endif()
-    endforeach()
+    course_missing_files(missing ${solved} ${inherited})
     if(NOT missing)
         course_add_window(${id}_solution ${id} solutions)
         set_property(GLOBAL APPEND PROPERTY COURSE_SOLUTION_WINDOWS ${id}_solution)
@@ -125,14 +154,4 @@ function(course_add_assignment id)
     target_link_libraries(${id}_tests PRIVATE judge_main course_warnings)
     set_target_properties(${id}_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/judges)
     set_property(GLOBAL APPEND PROPERTY COURSE_GRADING_TARGETS ${id}_tests)
-
-    course_provided_sources(${id} provided)
-    add_executable(${id}_debug EXCLUDE_FROM_ALL ${tests} ${source}/harness.cpp ${provided})
-    course_link_student_files(${id}_debug ${id} assignments)
-    course_student_code(${id}_debug)
-    course_add_resources(${id}_debug ${id} assignments)
-    target_include_directories(${id}_debug PRIVATE ${source}/tests)
-    target_compile_options(${id}_debug PRIVATE -g -O0)
-    target_link_libraries(${id}_debug PRIVATE judge_linked OpenGL::OpenGL)
-    set_target_properties(${id}_debug PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/debug)
 endfunction()

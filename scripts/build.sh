@@ -44,7 +44,7 @@ discard_foreign_build() {
     home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
     # Without a trace of ours but in the right place, somebody typed cmake --preset release.
     if [[ -n $found || ! $home -ef $root ]]; then
-        echo "$build was built in another place or by another system: building it afresh."
+        echo "$build was built in another place or by another system: building it afresh." >&2
         find "$build" -mindepth 1 -maxdepth 1 ! -name lock ! -name 'packages*' -exec rm -rf {} +
     fi
 }
@@ -71,11 +71,12 @@ report_build_failure() {
     exit 2
 }
 
-# say_once: one line before the first real step of a build.
+# say_once: one line before the first real step of a build. Not on standard output: that is the
+# program's own (./grade --json -).
 say_once() {
     [[ -z ${said:-} ]] || return 0
     said=yes
-    echo "$1"
+    echo "$1" >&2
 }
 
 # build_targets WHAT MINUTES TARGET...: configures where that is needed, then builds. MINUTES is
@@ -92,11 +93,12 @@ build_targets() {
         say_once "$sentence"
         (cd "$root" && cmake --preset release) >> "$log" 2>&1 || report_build_failure
     fi
-    # The first step that ninja names is real work; of the rest it says nothing else.
+    # The first step that ninja names is real work: all but those that it always makes. The fuzzers'
+    # project (Fuzzers.cmake) is one of these, and builds silently.
     ninja -C "$build" -j "$jobs" "$@" 2>&1 < /dev/null | while IFS= read -r line; do
         printf '%s\n' "$line" >> "$log"
         case $line in
-            "ninja: "* | *"Re-checking globbed directories"*) ;;
+            "ninja: "* | *"Re-checking globbed directories"* | *" 'fuzzers'") ;;
             *) say_once "$sentence" ;;
         esac
     done || report_build_failure

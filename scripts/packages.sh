@@ -98,7 +98,7 @@ may_install() {
 ensure_browser_driver() {
     local folder=$root/grader/browser_tests log=$build/npm.log
     [[ $folder/package-lock.json -nt $folder/node_modules/.package-lock.json ]] || return 0
-    echo "Installing the driver of the browser tests (npm ci) ..."
+    echo "Installing the driver of the browser tests (npm ci) ..." >&2
     (cd "$folder" && npm ci --ignore-scripts) > "$log" 2>&1 < /dev/null && return
     tail -n 20 "$log" >&2
     echo "$me: npm could not install what $folder/package-lock.json names, see above" \
@@ -121,10 +121,10 @@ ensure_packages() {
     fi
     missing_of "$@"
     if ((${#missing[@]} > 0)); then
-        echo "Missing packages: ${missing[*]}"
+        echo "Missing packages: ${missing[*]}" >&2
         doubt_about "$system"
         may_install
-        echo "Installing them (some minutes) ..."
+        echo "Installing them (some minutes) ..." >&2
         local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q)
         # A list that cannot be fetched may still be good enough.
         "${apt[@]}" update > "$log" 2>&1 < /dev/null || true

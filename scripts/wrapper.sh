@@ -10,6 +10,7 @@ source "${BASH_SOURCE[0]%/*}/packages.sh"
 source "${BASH_SOURCE[0]%/*}/build.sh"
 
 start() {
+    trap unexpected_failure ERR
     me=$1
     shift
     root=$(readlink -f "${BASH_SOURCE[0]%/*}/..")
@@ -27,6 +28,12 @@ start() {
     done
     read_system /etc/os-release
     prepare_build_folder
+}
+
+# 1 would mean that something was graded. The command itself has said what is wrong.
+unexpected_failure() {
+    echo "$me: stopped at line $(caller)" >&2
+    exit 2
 }
 
 # In a folder with such a character in its path, CMake fails, or Ninja misreads what depends on what

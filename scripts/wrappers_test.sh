@@ -356,6 +356,24 @@ ubuntu 24.04:nobody has tried them there
 fedora 40:are Debian's
 END
 
+# The test of the students' copy, up to where it calls the grader.
+new_case the_students_copy_is_made_of_a_commit_whoever_it_belongs_to
+students_copy() {
+    code=0
+    output=$(CI=$1 "$repository/grader/tests/students_copy_test.sh" "$checkout" false 2>&1) || code=$?
+}
+students_copy false
+expect_code 77
+students_copy true
+expect_code 1
+expect_output "git has no commit of $checkout"
+git -C "$checkout" init -q
+git -C "$checkout" -c user.name=A -c user.email=a@example.org commit -q --allow-empty -m "A commit"
+[[ $(id -u) != 0 ]] || chown -R 65534 "$checkout"
+students_copy true
+expect_code 1
+expect_output "two copies are the same"
+
 if [[ $(id -u) != 0 ]]; then
     new_case somebody_elses_build
     mkdir -p "$checkout/build/release"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "Error.h"
+#include "Includes.h"
 #include "Portability.h"
 #include "Regions.h"
 
@@ -27,6 +28,11 @@ std::size_t lineOf(const std::string& text, std::size_t position) {
                    std::count(text.begin(), text.begin() + static_cast<long>(position), '\n'));
 }
 
+bool areSame(const fs::path& one, const fs::path& other) {
+    std::error_code failed;
+    return fs::equivalent(one, other, failed);
+}
+
 class Collector {
 public:
     Collector(const fs::path& root, const Manifest& manifest, const Submission& submission)
@@ -38,6 +44,7 @@ public:
             addOwn(name);
         for (const auto& [name, from] : manifest_.inherits)
             addInherited(name, from);
+        noticeOwnHeaders();
         listIgnored();
         return std::move(result_);
     }
@@ -67,21 +74,34 @@ private:
             }
             return add(name, Role::own, "submission", *path);
         }
-        const std::string other = inOtherCase(name);
+        const fs::path starter = root_ / "assignments" / manifest_.id / name;
+        if (typeOf(starter) == fs::file_type::not_found)
+            return refuseMissing(name, manifest_.id, folder_);
+        const std::string other = inOtherCase(name, folder_);
         result_.notices.push_back(
             fmt::format("{} is missing: graded with the starter's file{}", name,
                         other.empty() ? "" : fmt::format("; {} is another: rename it", other)));
-        add(name, Role::own, "starter", root_ / "assignments" / manifest_.id / name);
+        add(name, Role::own, "starter", starter);
     }
 
     /// A file that was handed in under this name but for upper and lower case; empty for none.
-    std::string inOtherCase(const std::string& name) const {
+    std::string inOtherCase(const std::string& name, const fs::path& folder) const {
         std::vector<std::string> names;
-        for (const fs::path& place : {folder_, (folder_ / name).parent_path()})
+        for (const fs::path& place : {folder, (folder / name).parent_path()})
             for (const fs::path& each : submission_.entriesOf(place))
-                names.push_back(each.lexically_relative(folder_).string());
+                names.push_back(each.lexically_relative(folder).string());
         const std::string other = nameInOtherCase(name, names);
         return other.empty() ? nameInOtherCase(fs::path(name).filename().string(), names) : other;
+    }
+
+    /// Where not even the starter is there to take its place: at home that is this very file.
+    void refuseMissing(const std::string& name, const std::string& from, const fs::path& folder) {
+        const std::string other = inOtherCase(name, folder);
+        result_.unreadable.push_back(
+            {"", 0, 0, "error",
+             other.empty() ? missingStarter(from, name)
+                           : fmt::format("{} is missing; {} is another: rename it", name, other),
+             ""});
     }
 
     /// The source without which an inherited header is not used; empty where there is none.
@@ -93,11 +113,14 @@ private:
     }
 
     void addInherited(const std::string& name, const std::string& from) {
+        const auto path = submission_.placeOf(manifest_, name);
+        if (!path && atHome_)
+            return refuseMissing(name, from, submission_.folder / from);
         if (isHeader(name))
             result_.stage.coursesHeaders.push_back(substituteFor(root_, manifest_, name));
-        if (const auto path = submission_.placeOf(manifest_, name)) {
+        if (path) {
             const std::string missing = sourceMissingFor(name);
-            if (missing.empty())
+            if (missing.empty() || atHome_)
                 return add(name, Role::inherited, "submission", *path);
             result_.notices.push_back(
                 fmt::format("{} of {} is not used without {}", name, from, missing));
@@ -147,6 +170,8 @@ private:
                 return "";
             case fs::file_type::directory:
                 return "a folder";
+            case fs::file_type::not_found:
+                return "nothing";
             case fs::file_type::none:
                 return "something that cannot be looked at: check its permissions";
             default:
@@ -163,6 +188,34 @@ private:
             if (file.content[i] != '\r' || file.content.substr(i + 1, 1) != "\n")
                 lines += file.content[i];
         file.content = std::move(lines);
+    }
+
+    /// At home a header of the student's own is found, among the course's; handed in, it is not
+    /// taken.
+    void noticeOwnHeaders() {
+        for (const StagedFile& file : result_.stage.files)
+            if (file.role == Role::own)
+                for (const std::string& name : includedNames(file.content))
+                    if (isOwnHeader(name))
+                        result_.notices.push_back(
+                            fmt::format("{0} includes {1}, which is none of the files to hand in: "
+                                        "write what it holds into {0}",
+                                        file.name, name));
+    }
+    /// Whether a header beside the student's files is theirs, and not to be handed in: what the
+    /// course provides is included by a file of the course's, other than a source of that name.
+    bool isOwnHeader(const std::string& name) const {
+        const auto isIt = [&](const fs::path& file) { return file.filename() == name; };
+        if (typeOf(folder_ / name) != fs::file_type::regular ||
+            std::any_of(manifest_.submit.begin(), manifest_.submit.end(), isIt) ||
+            manifest_.inherits.contains(name))
+            return false;
+        return std::none_of(result_.stage.files.begin(), result_.stage.files.end(),
+                            [&](const StagedFile& file) {
+                                return file.role == Role::provided &&
+                                       fs::path(file.name).stem() != fs::path(name).stem() &&
+                                       includedNames(file.content).contains(name);
+                            });
     }
 
     /// Everything else in the submission's folder; a folder is one entry.
@@ -199,7 +252,8 @@ private:
     const fs::path& root_;
     const Manifest& manifest_;
     const Submission& submission_;
-    const fs::path folder_ = submission_.folderFor(manifest_.id, manifest_.id);
+    const fs::path folder_ = submission_.folderFor(manifest_.id);
+    const bool atHome_ = submission_.perAssignment && areSame(folder_, manifest_.folder);
     std::set<std::string> elsewhere_;  ///< files above the subfolder that they belong in
     Collected result_;
 };
@@ -218,10 +272,8 @@ Submission submissionIn(const fs::path& folder, const std::vector<std::string>& 
     return {fs::absolute(folder), hasOneOf(folder)};
 }
 
-fs::path Submission::folderFor(const std::string& assignment, const std::string& graded) const {
-    if (perAssignment)
-        return folder / assignment;
-    return assignment == graded ? folder : folder / ".." / assignment / "none";
+fs::path Submission::folderFor(const std::string& assignment) const {
+    return perAssignment ? folder / assignment : folder;
 }
 
 bool Submission::isBehindLink(const fs::path& path) const {
@@ -238,16 +290,24 @@ std::vector<fs::path> Submission::entriesOf(const fs::path& path) const {
     return isBehindLink(path) ? std::vector<fs::path>() : grader::entriesOf(path);
 }
 
-std::optional<fs::path> Submission::placeOf(const Manifest& manifest,
-                                            const std::string& name) const {
-    const fs::path own = folderFor(manifest.id, manifest.id);
+std::vector<fs::path> Submission::placesOf(const Manifest& manifest,
+                                           const std::string& name) const {
+    const fs::path own = folderFor(manifest.id);
     std::vector<fs::path> places = {own / name};
     const std::string last = fs::path(name).filename().string();
-    if (const auto from = manifest.inherits.find(name); from != manifest.inherits.end())
-        places.push_back(folderFor(from->second, manifest.id) / name);
-    else if (std::count_if(manifest.submit.begin(), manifest.submit.end(),
-                           [&](const fs::path& each) { return each.filename() == last; }) == 1)
+    if (const auto from = manifest.inherits.find(name); from != manifest.inherits.end()) {
+        if (perAssignment)
+            places.push_back(folder / from->second / name);
+    } else if (std::count_if(manifest.submit.begin(), manifest.submit.end(),
+                             [&](const fs::path& each) { return each.filename() == last; }) == 1) {
         places.push_back(own / last);
+    }
+    return places;
+}
+
+std::optional<fs::path> Submission::placeOf(const Manifest& manifest,
+                                            const std::string& name) const {
+    const std::vector<fs::path> places = placesOf(manifest, name);
     const auto found = std::find_if(places.begin(), places.end(), [](const fs::path& each) {
         return typeOf(each) != fs::file_type::not_found;
     });
@@ -287,6 +347,11 @@ std::map<std::string, fs::path> handedIn(const Manifest& manifest) {
         if (sources.contains(from))
             all.emplace(name, assignments / from / name);
     return all;
+}
+
+std::string missingStarter(const std::string& assignment, const std::string& name) {
+    return fmt::format("{} is missing: git restore assignments/{}/{} brings the starter's back",
+                       name, assignment, name);
 }
 
 bool hasFileNamed(const std::map<std::string, fs::path>& handedIn, const std::string& name) {

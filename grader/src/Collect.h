@@ -20,12 +20,15 @@ struct Submission {
     fs::path folder;
     bool perAssignment = true;
 
-    /// Its folder for an assignment; it need not exist.
-    fs::path folderFor(const std::string& assignment, const std::string& graded) const;
+    /// Its folder for the assignment that is graded; it need not exist.
+    fs::path folderFor(const std::string& assignment) const;
 
-    /// Where it has a file that the assignment takes: in its folder for this assignment; an
-    /// inherited one then in its folder for the named one. What belongs in a subfolder
-    /// (shaders/lighting.frag) may lie above it, for platforms hand in files without folders.
+    /// Where it may have a file that the assignment takes, the first choice first: in its folder
+    /// for this assignment; an inherited one in its folder for the named one. What belongs in a
+    /// subfolder (shaders/lighting.frag) may lie above it, for platforms hand in files without
+    /// folders.
+    std::vector<fs::path> placesOf(const Manifest& manifest, const std::string& name) const;
+    /// The first of these where there is something.
     std::optional<fs::path> placeOf(const Manifest& manifest, const std::string& name) const;
 
     /// Whether a path is a link, or leads through one, below `folder`: it may lead anywhere.
@@ -77,6 +80,8 @@ std::vector<std::string> tasksIn(const Manifest& manifest, const std::string& te
 /// and where a task is solved in a file of an earlier assignment, that one's files
 /// (08-perspective: Camera.h and Camera.cpp of 07-camera).
 std::map<std::string, fs::path> handedIn(const Manifest& manifest);
+/// What is said where one of them is missing in the course itself: how to have it back.
+std::string missingStarter(const std::string& assignment, const std::string& name);
 /// Whether one of them is called so, in whichever folder it belongs.
 bool hasFileNamed(const std::map<std::string, fs::path>& handedIn, const std::string& name);
 
@@ -95,9 +100,8 @@ bool goesWith(const Manifest& manifest, const std::string& header, const std::st
 ///
 /// Files are where Submission::placeOf() finds them. A missing one is named and replaced by the
 /// starter's; an inherited one by substituteFor(), and so are the headers of a source that is. A
-/// byte-order
-/// mark and carriage returns are taken out; a file that is not UTF-8 or cannot be read is reported
-/// in `unreadable`.
+/// byte-order mark and carriage returns are taken out; a file that is not UTF-8 or cannot be read,
+/// or is missing where the starter itself is the submission, is reported in `unreadable`.
 Collected collect(const fs::path& root, const Manifest& manifest, const Submission& submission);
 
 }  // namespace grader

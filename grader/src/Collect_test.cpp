@@ -42,6 +42,7 @@ protected:
         submit("Camera.cpp", "mine cpp");
     }
     Collected collected() { return collect(course.path(), manifest, {hand.path(), true}); }
+    Collected atHome() { return collect(course.path(), manifest, {course / "assignments", true}); }
     /// Content and origin of one staged file.
     static std::string staged(const Collected& all, const std::string& name) {
         const StagedFile* file = all.stage.find(name);
@@ -199,10 +200,59 @@ TEST_F(Collecting, UnchangedCopiesOfOurFilesAreNotWorthAWord) {
 }
 
 TEST_F(Collecting, TheAssignmentsFolderItselfIsASubmission) {
-    const Collected all = collect(course.path(), manifest, {course / "assignments", true});
+    const Collected all = atHome();
     EXPECT_THAT(all.ignored, IsEmpty());
     EXPECT_THAT(all.notices, IsEmpty());
     EXPECT_EQ(staged(all, "Camera.h"), "starter Camera.h (submission)");
+}
+
+TEST_F(Collecting, WhatIsMissingThereIsTheStarterItself) {
+    const auto complaints = [](const Collected& all) {
+        EXPECT_THAT(all.notices, IsEmpty());
+        std::vector<std::string> messages;
+        for (const Diagnostic& each : all.unreadable)
+            messages.push_back(placeOf(each) + each.message);
+        return messages;
+    };
+    const std::string camera =
+        "Camera.cpp is missing: git restore assignments/07-camera/Camera.cpp brings the starter's "
+        "back";
+    fs::remove(course / "assignments/07-camera/Camera.cpp");
+    EXPECT_THAT(complaints(atHome()), ElementsAre(camera));
+    fs::remove(course / "assignments/06-rotation/rotation.cpp");
+    EXPECT_THAT(complaints(atHome()),
+                ElementsAre(camera, HasSubstr("restore assignments/06-rotation/rotation.cpp")));
+    course.write("assignments/07-camera/camera.cpp", "");
+    course.write("assignments/06-rotation/Rotation.cpp", "");
+    EXPECT_THAT(complaints(atHome()),
+                ElementsAre("Camera.cpp is missing; camera.cpp is another: rename it",
+                            "rotation.cpp is missing; Rotation.cpp is another: rename it"));
+}
+
+TEST_F(Collecting, TheFolderOfOneAssignmentNeedsNoOther) {
+    const Collected all = collect(course.path(), manifest, {manifest.folder, false});
+    EXPECT_THAT(all.unreadable, IsEmpty());
+    EXPECT_EQ(staged(all, "rotation.cpp"), "starter rotation (starter)");
+}
+
+TEST_F(Collecting, AHeaderOfOnesOwnIsNoticedWhetherItIsTakenOrNot) {
+    const std::string own =
+        "#include <cmath>\n#include \"Camera.h\"\n#include \"scene.h\"\n#include \"mine.h\"\n";
+    const auto notice = ElementsAre(
+        "Camera.cpp includes mine.h, which is none of the files to hand in: write what it holds "
+        "into Camera.cpp");
+    course.write("assignments/07-camera/harness.cpp", "#include \"scene.h\"\n");
+    submit("Camera.h", "mine h");
+    submit("Camera.cpp", own);
+    submit("scene.h", "our scene.h");
+    EXPECT_THAT(collected().notices, IsEmpty()) << "there is no mine.h: the compiler says it";
+    submit("mine.h", "");
+    EXPECT_EQ(staged(collected(), "mine.h"), "nothing");
+    EXPECT_THAT(collected().notices, notice);
+    course.write("assignments/07-camera/Camera.cpp", own);
+    course.write("assignments/07-camera/mine.h", "");
+    course.write("assignments/07-camera/mine.cpp", "#include \"mine.h\"\n");
+    EXPECT_THAT(atHome().notices, notice);
 }
 
 TEST_F(Collecting, FilesInFoldersOfTheManifestAreTaken) {
@@ -372,7 +422,7 @@ TEST_F(Collecting, AnUnreadableCopyOfOurFileIsNamedOnly) {
 
 TEST_F(Collecting, AnInheritedFileInTheAssignmentsOwnFolderIsTakenOnceAndAsTheStudents) {
     course.write("assignments/07-camera/rotation.cpp", "a copy");
-    const Collected all = collect(course.path(), manifest, {course / "assignments", true});
+    const Collected all = atHome();
     EXPECT_EQ(std::count_if(all.stage.files.begin(), all.stage.files.end(),
                             [](const StagedFile& file) { return file.name == "rotation.cpp"; }),
               1);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
+#include <tuple>
 
 namespace grader {
 
@@ -20,7 +22,7 @@ std::string simplified(std::string message) {
             message.replace(at, 3, "'");
     static const std::regex aka(R"( \{aka '[^']*'\})");
     static const std::regex vectorType(
-        R"(glm::(vec|mat)<([234])(?:, ([234]))?, float(?:, glm::packed_highp)?>)");
+        R"(glm::(vec|mat)<([234])(?:, ([234]))?, float(?:, (?:glm::packed_highp|\(glm::qualifier\)0))?>)");
     message = std::regex_replace(message, aka, "");
     return std::regex_replace(message, vectorType, "glm::$1$2");
 }
@@ -44,10 +46,11 @@ std::optional<Diagnostic> fromCompiler(const std::string& line) {
                       withoutFolders(simplified(match.suffix()))};
 }
 
-/// The source file that a linker means by "…/Camera.cpp.o" or "./Camera.cpp:17", and the line
-/// when it knows one.
+/// The source file that a linker means by "…/Camera.cpp.o", "…/inherited.a(Camera.cpp.o)" or
+/// "./Camera.cpp:17", and the line when it knows one.
 Diagnostic sourceIn(const std::string& text) {
-    static const std::regex source(R"(([^/\s:()]+\.(?:cpp|h|inl))(?:\.o\)?)?(?::(\d{1,9}))?)");
+    static const std::regex source(
+        R"((?:^|/|: )(?:[^/:]*\.a\()?([^/:]+?\.(?:cpp|h|inl))(?:\.o\)?)?(?::(\d{1,9}))?)");
     Diagnostic found;
     for (auto it = std::sregex_iterator(text.begin(), text.end(), source);
          it != std::sregex_iterator(); ++it) {
@@ -60,7 +63,7 @@ Diagnostic sourceIn(const std::string& text) {
 /// Two definitions of one function, in the words of GNU ld, gold, mold and lld.
 std::optional<Diagnostic> fromLinker(const std::string& line) {
     static const std::regex gnu(R"((.*): multiple definition of [`']([^']*)'(?:; (.*))?)");
-    static const std::regex mold(R"(mold: error: duplicate symbol: ([^ ]+): ([^ ]+): (.*))");
+    static const std::regex mold(R"(mold: error: duplicate symbol: (.+?): (.+?): (.*))");
     static const std::regex lld(R"(ld\.lld: error: duplicate symbol: (.*))");
     std::smatch match;
     std::string symbol, second, first;
@@ -98,7 +101,7 @@ const std::vector<Hint>& hints() {
         {std::regex(R"(no declaration matches|does not match any)"),
          "name and parameter types must be those of the header, to the letter"},
         {std::regex(R"(multiple definition of)"),
-         "two of the submitted files define the same function: keep one of them"},
+         "two files in the folder define the same function: keep one of them"},
         {std::regex(
              R"(operand types are '(double|int)' and 'glm::|operand types are 'glm::.*' and '(double|int)')"),
          "GLM multiplies its matrices and vectors of float by a float alone: write 2.0f, std::cos "
@@ -112,6 +115,9 @@ const std::vector<Hint>& hints() {
          "M_PI is no part of standard C++: #include <numbers> and write std::numbers::pi"},
         {std::regex(R"(was not declared in this scope|has not been declared)"),
          "check the spelling, a missing #include, or a missing glm:: in front"},
+        {std::regex(R"(no return statement in function|control reaches end of non-void)"),
+         "every way through a function that returns something ends in a return; without it, what "
+         "the caller gets is chance, or a crash"},
         {std::regex(R"(expected '\}' at end of input)"), "a closing brace } is missing"},
     };
     return all;
@@ -130,6 +136,13 @@ std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput) {
             all.push_back(std::move(*linker));
     }
     return all;
+}
+
+void dropRepeated(std::vector<Diagnostic>& diagnostics) {
+    std::set<std::tuple<std::string, int, int, std::string>> said;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        return !said.emplace(each.file, each.line, each.column, each.message).second;
+    });
 }
 
 std::string withoutFolders(const std::string& message) {

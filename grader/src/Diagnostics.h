@@ -20,6 +20,10 @@ struct Diagnostic {
 /// Folders of the build do not appear: the same mistake gives the same text in every run.
 std::vector<Diagnostic> parseDiagnostics(const std::string& compilerOutput);
 
+/// Keeps the first of those that say the same of one place: a header is compiled with each file
+/// that includes it.
+void dropRepeated(std::vector<Diagnostic>& diagnostics);
+
 /// A message of a tool without the folders of the paths in it: "/usr/bin/ld: …" is "ld: …".
 std::string withoutFolders(const std::string& message);
 

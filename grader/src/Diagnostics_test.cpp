@@ -41,11 +41,25 @@ TEST(Diagnostics, ErrorsAndWarningsOfGcc) {
                             error("rotation.cpp", 1, 10, "nope.h: No such file")));
 }
 
+TEST(Diagnostics, AMissingReturnHasAHint) {
+    for (const char* message : {"no return statement in function returning non-void",
+                                "control reaches end of non-void function [-Wreturn-type]"})
+        EXPECT_THAT(hintOf(message), HasSubstr("ends in a return"));
+}
+
 TEST(Diagnostics, OfAFileWithAFolderOfOursOnlyTheNameIsLeft) {
     EXPECT_THAT(
         parseDiagnostics("/tmp/course-x/held/rotation.cpp:3:1: error: oops\n"
                          "shaders/part.h:2:1: error: oops\n"),
         ElementsAre(error("rotation.cpp", 3, 1, "oops"), error("shaders/part.h", 2, 1, "oops")));
+}
+
+TEST(Diagnostics, WhatIsSaidOfOneHeaderTwiceIsKeptOnce) {
+    const Diagnostic first = error("Camera.h", 3, 1, "oops"), other = error("Camera.h", 3, 1, "no"),
+                     below = error("Camera.h", 4, 1, "oops");
+    std::vector<Diagnostic> all = {first, other, first, below, first};
+    dropRepeated(all);
+    EXPECT_THAT(all, ElementsAre(first, other, below));
 }
 
 TEST(Diagnostics, AColumnMayBeMissing) {
@@ -156,6 +170,23 @@ TEST(LinkerDiagnostics, OfMold) {
                 ElementsAre(error("rotation.cpp", 0, 0,
                                   "multiple definition of 'a::rotation(float)', defined before in "
                                   "Camera.cpp")));
+}
+
+TEST(LinkerDiagnostics, OfACopyThatAFileManagerNamed) {
+    const auto twice =
+        ElementsAre(error("rotation.cpp", 0, 0,
+                          "multiple definition of 'rotation(glm::vec3)', defined before in "
+                          "rotation (copy).cpp"));
+    const std::string symbol = "rotation(glm::vec<3, float, (glm::qualifier)0>)";
+    const std::string out = "/tmp/course-x/out/";
+    EXPECT_THAT(parseDiagnostics("mold: error: duplicate symbol: " + out + "rotation.cpp.o: " +
+                                 out + "rotation (copy).cpp.o: " + symbol + "\n"),
+                twice);
+    EXPECT_THAT(
+        parseDiagnostics("/usr/bin/ld: " + out +
+                         "rotation.cpp.o:(.text+0x0): multiple definition of `" + symbol + "'; " +
+                         out + "rotation (copy).cpp.o:(.text+0x0): first defined here\n"),
+        twice);
 }
 
 TEST(LinkerDiagnostics, OfGoldAndLld) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iostream>
+#include <mutex>
+#include <regex>
 #include <set>
 
 #include "Fields.h"
@@ -26,9 +29,17 @@ std::string plainFileName(const Fields& where, const std::string& name) {
     return name;
 }
 
+/// An id is a name of files, folders and regions, too.
+std::string plainId(const Fields& where, const std::string& id) {
+    static const std::regex plain("[A-Za-z0-9][A-Za-z0-9_-]{0,63}");
+    if (!std::regex_match(id, plain))
+        throw Error("{}: \"{}\" is no id: expected letters, digits, - and _", where.where(), id);
+    return id;
+}
+
 Task readTask(Fields fields) {
     Task task;
-    task.id = fields.get<std::string>("id");
+    task.id = plainId(fields, fields.get<std::string>("id"));
     task.title = fields.get<std::string>("title");
     task.points = fields.get<double>("points");
     task.needs = fields.get<std::vector<std::string>>("needs", {});
@@ -42,7 +53,7 @@ Task readTask(Fields fields) {
 
 Feature readFeature(Fields fields) {
     Feature feature;
-    feature.id = fields.get<std::string>("id");
+    feature.id = plainId(fields, fields.get<std::string>("id"));
     feature.title = fields.get<std::string>("title");
     feature.points = fields.get<double>("points");
     feature.without = fields.get<std::string>("without");
@@ -54,7 +65,7 @@ Feature readFeature(Fields fields) {
 
 Frame readFrame(Fields fields) {
     Frame frame;
-    frame.id = fields.get<std::string>("id");
+    frame.id = plainId(fields, fields.get<std::string>("id"));
     frame.title = fields.get<std::string>("title", frame.id);
     frame.task = fields.get<std::string>("task");
     for (const Fields& feature : fields.list("features"))
@@ -145,6 +156,24 @@ void requireConsistent(const Manifest& manifest, const std::string& file) {
                     manifest.folder.filename().string(), manifest.id);
 }
 
+/// The id that a manifest has, or the folder's name where it is broken: who loads it is told why.
+std::string idIn(const fs::path& folder) {
+    try {
+        return parseJsonFile((folder / "assignment.json").string()).at("id");
+    } catch (const std::exception&) {
+        return folder.filename().string();
+    }
+}
+
+/// The folders below `root`/assignments that have a manifest, by name, and the id in it.
+std::map<std::string, std::string> idsByFolder(const fs::path& root) {
+    std::map<std::string, std::string> ids;
+    for (const auto& entry : fs::directory_iterator(root / "assignments"))
+        if (fs::exists(entry.path() / "assignment.json"))
+            ids[entry.path().filename().string()] = idIn(entry.path());
+    return ids;
+}
+
 }  // namespace
 
 Json parseJson(const std::string& text, const std::string& path) {
@@ -213,14 +242,14 @@ Manifest Manifest::parse(const std::string& text, const fs::path& folder) {
                     kFormat, format);
     Manifest manifest;
     manifest.folder = folder;
-    manifest.id = fields.get<std::string>("id");
+    manifest.id = plainId(fields, fields.get<std::string>("id"));
     manifest.title = fields.get<std::string>("title");
     manifest.chapter = fields.get<int>("chapter");
     manifest.summary = fields.get<std::string>("summary");
     for (const auto& name : fields.get<std::vector<std::string>>("submit"))
         manifest.submit.push_back(plainFileName(fields, name));
     for (const auto& [name, from] : fields.get<std::map<std::string, std::string>>("inherits", {}))
-        manifest.inherits[plainFileName(fields, name)] = from;
+        manifest.inherits[plainFileName(fields, name)] = plainId(fields, from);
     manifest.limits = readLimits(fields.object("limits"));
     for (const Fields& task : fields.list("tasks"))
         manifest.tasks.push_back(readTask(task));
@@ -234,11 +263,20 @@ Manifest Manifest::parse(const std::string& text, const fs::path& folder) {
 }
 
 std::vector<std::string> knownAssignments(const fs::path& root) {
+    static std::mutex mutex;
+    static std::set<std::string> said;
     std::vector<std::string> ids;
-    for (const auto& entry : fs::directory_iterator(root / "assignments"))
-        if (fs::exists(entry.path() / "assignment.json"))
-            ids.push_back(entry.path().filename().string());
-    std::sort(ids.begin(), ids.end());
+    for (const auto& [folder, id] : idsByFolder(root)) {
+        if (folder == id) {
+            ids.push_back(id);
+            continue;
+        }
+        const std::scoped_lock lock(mutex);
+        if (said.insert(folder).second)
+            std::cerr << fmt::format(
+                "assignments/{} is a copy of {}, left out: its assignment.json has that id\n",
+                folder, id);
+    }
     if (ids.empty())
         throw Error("{} holds no assignment: expected folders with an assignment.json",
                     (root / "assignments").string());
@@ -246,9 +284,9 @@ std::vector<std::string> knownAssignments(const fs::path& root) {
 }
 
 Manifest loadAssignment(const fs::path& root, const std::string& id) {
-    const auto known = knownAssignments(root);
-    if (std::find(known.begin(), known.end(), id) == known.end())
-        throw Error("there is no assignment \"{}\"; known are {}", id, fmt::join(known, ", "));
+    if (!idsByFolder(root).contains(id))
+        throw Error("there is no assignment \"{}\"; known are {}", id,
+                    fmt::join(knownAssignments(root), ", "));
     return Manifest::load(root / "assignments" / id);
 }
 

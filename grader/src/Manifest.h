@@ -74,6 +74,8 @@ struct Manifest {
 };
 
 /// Ids of all assignments below `root`/assignments, in order. Throws Error when there is none.
+/// A folder whose manifest has another id is left out, and named on standard error once: it is a
+/// copy, or the id is a slip.
 std::vector<std::string> knownAssignments(const fs::path& root);
 
 /// The manifest of one of them; an unknown id is refused with the list of known ones.

@@ -99,6 +99,20 @@ TEST_F(LoadingManifest, WhatMayBeLeftOut) {
     EXPECT_TRUE(manifest.frames.empty());
 }
 
+TEST_F(LoadingManifest, AnIdIsANameOfFilesAndFolders) {
+    for (const char* id : {"../../x", "a.b", "", "-a", "a b", "a/b"}) {
+        json = validManifest();
+        json["frames"][0]["id"] = id;
+        EXPECT_THAT(complaint(), HasSubstr("is no id: expected letters, digits, - and _")) << id;
+        json = validManifest();
+        json["tasks"][0]["id"] = id;
+        EXPECT_THAT(complaint(), HasSubstr("is no id")) << id;
+    }
+    json = validManifest();
+    json["inherits"] = {{"rotation.cpp", "../06-rotation"}};
+    EXPECT_THAT(complaint(), HasSubstr("is no id"));
+}
+
 TEST_F(LoadingManifest, AnUnknownFieldIsNamedWithTheAllowedOnes) {
     json["colour"] = "red";
     EXPECT_THAT(complaint(), AllOf(HasSubstr("unknown field \"colour\""), HasSubstr("chapter"),
@@ -287,6 +301,20 @@ TEST(Assignments, AnUnknownOneListsTheKnownOnesInOrder) {
               "there is no assignment \"07-kamera\"; known are 06-rotation, 08-perspective");
     EXPECT_THAT(whatOf<Error>([&] { loadAssignment(tree.path(), "../x"); }),
                 HasSubstr("there is no assignment"));
+}
+
+TEST(Assignments, AFolderWithTheIdOfAnotherIsLeftOutAndNamedOnce) {
+    const Tree tree;
+    tree.write("assignments/07-camera/assignment.json", validManifest().dump());
+    tree.write("assignments/07-camera (copy)/assignment.json", validManifest().dump());
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 2; ++i)
+        EXPECT_THAT(knownAssignments(tree.path()), ElementsAre("07-camera"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "assignments/07-camera (copy) is a copy of 07-camera, left out: its assignment.json "
+              "has that id\n");
+    EXPECT_THAT(whatOf<Error>([&] { loadAssignment(tree.path(), "07-camera (copy)"); }),
+                HasSubstr("expected the folder's name \"07-camera (copy)\", found \"07-camera\""));
 }
 
 TEST(Assignments, ACourseWithoutAnyIsRefused) {

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <vector>
 
-#include "Error.h"
+#include "ExitCode.h"
 #include "commands/BatchCommand.h"
 #include "commands/CarryCommand.h"
 #include "commands/ClassCommands.h"
@@ -16,6 +16,7 @@
 #include "commands/PackageCommand.h"
 #include "commands/PackagePlatform.h"
 #include "commands/PullRequestCommand.h"
+#include "report/PlainText.h"
 
 namespace {
 
@@ -43,6 +44,14 @@ int main(int argc, char** argv) {
         "Grades the assignments of this course.\n"
         "Exit codes: 0 full marks, 1 something lost, 2 the grader or its use was wrong.");
     app.name("./grade");
+    app.footer(
+        "Without a command, ./grade grades:\n"
+        "  ./grade                      every assignment\n"
+        "  ./grade 06-rotation          one of them\n"
+        "  ./grade 06-rotation --watch  again whenever a file is saved\n"
+        "  ./grade 06-rotation --open   with a report of pictures, in the browser\n"
+        "  ./grade --yes                without asking before packages are installed\n"
+        "./grade grade --help has all options of grading.");
     app.require_subcommand(0, 1);
     int exitCode = grader::kGraderFailed;
     grader::addGradeCommand(app, exitCode);
@@ -69,7 +78,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : grader::kGraderFailed;
     } catch (const std::exception& error) {
-        std::cerr << "grade: " << error.what() << "\n";
+        std::cerr << "grade: " << grader::harmless(error.what(), true) << "\n";
         return grader::kGraderFailed;
     }
     return exitCode;

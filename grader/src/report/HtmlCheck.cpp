@@ -57,20 +57,20 @@ std::string featureRow(const FeatureResult& feature, const fs::path& folder) {
 }
 
 std::string featuresOf(const CheckResult& check, const fs::path& folder) {
-    if (check.features.empty())
-        return "";
-    std::string html = "<ul class=\"features\">\n";
+    std::string rows;
     for (const FeatureResult& each : check.features)
-        html += featureRow(each, folder);
-    return html + "</ul>\n";
+        if (each.points > 0 || !each.message.empty())  // else it was not looked at
+            rows += featureRow(each, folder);
+    return rows.empty() ? "" : "<ul class=\"features\">\n" + rows + "</ul>\n";
 }
 
 std::string frameOf(const CheckResult& check, const fs::path& folder) {
     const bool drawn = check.pictures && !check.imagePaths.empty();
-    if (!drawn && check.features.empty())
+    const std::string features = featuresOf(check, folder);
+    if (!drawn && features.empty())
         return "";
-    return "<div class=\"frame\">\n" + (drawn ? picturesOf(check, folder) : "") +
-           featuresOf(check, folder) + (drawn ? numbersOf(check) : "") + "</div>\n";
+    return "<div class=\"frame\">\n" + (drawn ? picturesOf(check, folder) : "") + features +
+           (drawn ? numbersOf(check) : "") + "</div>\n";
 }
 
 bool isFinite(const std::vector<std::vector<double>>& matrix) {

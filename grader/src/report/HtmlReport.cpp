@@ -43,7 +43,7 @@ std::string diagnosticsOf(const AssignmentResult& result) {
     }
     std::string html;
     if (!errors.empty())
-        html += "<article class=\"compiler\"><h3>The compiler says</h3>\n<ol>" + errors +
+        html += "<article class=\"compiler\"><h3>To be mended first</h3>\n<ol>" + errors +
                 "</ol></article>\n";
     if (warned > 0)
         html += fmt::format(

@@ -200,11 +200,14 @@ TEST(HtmlReport, AFeatureHasItsShareItsSentenceAndItsMask) {
     CheckResult& frame = results[0].tasks[1].checks[1];
     const Picture mask{2, 1, {255, 255, 255, 255, 0, 0, 0, 255}};
     frame.features = {{"glint", "the glint", 1, 4, "a quarter of it is there", mask},
-                      {"rest", "the rest", 2, 2, "", {}}};
+                      {"rest", "the rest", 2, 2, "", {}},
+                      {"haze", "the haze", 0, 2, "", {}}};
     writeReportPictures(results, tree.path());
     EXPECT_EQ(readPicture(tree / frame.features[0].maskPath).rgba, mask.rgba);
     const std::string page = htmlReport(results, tree.path());
     EXPECT_THAT(page, HasSubstr("a quarter of it is there"));
+    EXPECT_THAT(page, HasSubstr("the rest"));
+    EXPECT_THAT(page, Not(HasSubstr("the haze"))) << "there is nothing to say of it";
     EXPECT_THAT(page, HasSubstr("1 / 4"));
     EXPECT_THAT(page, HasSubstr("width=\"25.0\""));
     EXPECT_EQ(allOf(page, "<img class=\"mask\"").size(), 1u);

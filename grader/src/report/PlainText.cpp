@@ -1,6 +1,7 @@
 #include "report/PlainText.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include "Files.h"
@@ -36,6 +37,12 @@ std::string harmless(std::string text, bool keepLines) {
         i += size;
     }
     return safe;
+}
+
+std::string lowered(std::string text) {
+    for (char& each : text)
+        each = static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
+    return text;
 }
 
 std::size_t columns(const std::string& text) {

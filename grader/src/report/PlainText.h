@@ -9,6 +9,9 @@ namespace grader {
 /// second set too, and those that turn the direction of writing. Line ends stay where `keepLines`.
 std::string harmless(std::string text, bool keepLines = false);
 
+/// With small letters (of ASCII).
+std::string lowered(std::string text);
+
 /// Columns that a text of UTF-8 takes; every sign of ours takes one.
 std::size_t columns(const std::string& text);
 

@@ -35,16 +35,16 @@ const char* colourOf(Status status) {
     }
 }
 
-void writeDiagnostics(TerminalWriter& out, const AssignmentResult& result) {
-    std::size_t errors = 0;
-    for (const Diagnostic& each : result.diagnostics) {
-        if (each.severity != "error" || ++errors > kMostDiagnostics)
-            continue;
-        out.diagnostic(each);
-    }
-    if (errors > kMostDiagnostics)
-        out.paragraph("    ", fmt::format("and {} more errors; the first is the one to mend first",
-                                          errors - kMostDiagnostics));
+/// The first messages of the compiler that are of one severity.
+void writeDiagnostics(TerminalWriter& out, const AssignmentResult& result,
+                      const std::string& severity) {
+    std::size_t found = 0;
+    for (const Diagnostic& each : result.diagnostics)
+        if (each.severity == severity && ++found <= kMostDiagnostics)
+            out.diagnostic(each);
+    if (found > kMostDiagnostics)
+        out.paragraph("    ", fmt::format("and {} more {}s; the first is the one to mend first",
+                                          found - kMostDiagnostics, severity));
 }
 
 /// A shader that does not compile fails every check that uses it: its log is told once.
@@ -66,7 +66,7 @@ void writeRecognised(TerminalWriter& out, const Recognised& recognised) {
 
 void writeFeatures(TerminalWriter& out, const CheckResult& frame) {
     for (const FeatureResult& each : frame.features)
-        if (each.points < each.maxPoints)
+        if (each.points < each.maxPoints && !each.message.empty())
             out.paragraph(each.points > 0 ? "      ◐ " : "      ✗ ",
                           each.title + ": " + each.message);
 }
@@ -129,10 +129,12 @@ std::string terminalReport(const AssignmentResult& result, const TerminalStyle& 
     if (result.notStarted())
         return out.take();
     if (result.status == "build_error") {
-        out.paragraph("  ", "The code does not compile, so nothing could be checked:");
-        writeDiagnostics(out, result);
+        out.paragraph("  ", "Nothing could be checked before this is mended:");
+        writeDiagnostics(out, result, "error");
         return out.take();
     }
+    if (!result.full())  // what GCC warns of without being asked is often why
+        writeDiagnostics(out, result, "warning");
     std::set<std::string> told;
     for (const TaskResult& task : result.tasks)
         writeTask(out, task, style.pictures, told);

@@ -195,7 +195,7 @@ TEST(TerminalReport, AtMostFiveErrorsTheFirstFirst) {
     for (int i = 1; i <= 8; ++i)
         result.diagnostics.push_back({"Camera.cpp", i, 3, "error", "mistake " + std::to_string(i)});
     const std::string report = reportOf(result);
-    EXPECT_THAT(report, HasSubstr("does not compile"));
+    EXPECT_THAT(report, HasSubstr("Nothing could be checked before this is mended:"));
     EXPECT_THAT(report, HasSubstr("    ✗ Camera.cpp:1:3: mistake 1\n"));
     EXPECT_LT(report.find("mistake 1"), report.find("mistake 2"));
     EXPECT_THAT(report, HasSubstr("mistake 5"));
@@ -210,6 +210,20 @@ TEST(TerminalReport, AnErrorHasItsHint) {
     result.status = "build_error";
     result.diagnostics = {{"Camera.cpp", 9, 2, "error", "expected ';' before '}' token"}};
     EXPECT_THAT(reportOf(result), HasSubstr("      hint: a semicolon is missing"));
+}
+
+TEST(TerminalReport, TheCompilersWarningsAreToldWhereSomethingIsLost) {
+    AssignmentResult result = sampleResult();
+    result.diagnostics = {{"Camera.cpp", 9, 1, "warning",
+                           "no return statement in function returning non-void [-Wreturn-type]",
+                           "}"}};
+    const std::string report = reportOf(result);
+    EXPECT_THAT(report, HasSubstr("    ! Camera.cpp:9:1: warning: no return statement"));
+    EXPECT_THAT(report, HasSubstr("      hint: every way through a function"));
+    EXPECT_LT(report.find("warning: "), report.find("look-at")) << "before what it may explain";
+    for (TaskResult& each : result.tasks)
+        each.status = Status::pass;
+    EXPECT_THAT(reportOf(result), Not(HasSubstr("warning: "))) << "all is well";
 }
 
 TEST(TerminalReport, NoticesAndIgnoredFilesAreSaid) {
@@ -254,11 +268,13 @@ TEST(TerminalReport, EachLostFeatureOfAFrameHasItsSentence) {
     AssignmentResult result = sampleResult();
     result.tasks[1].checks[1].features = {{"a", "the lamp", 3, 3, "nothing to say", {}},
                                           {"b", "the shadow", 1, 4, "half of it is there", {}},
-                                          {"c", "the glint", 0, 2, "it is missing", {}}};
+                                          {"c", "the glint", 0, 2, "it is missing", {}},
+                                          {"d", "the haze", 0, 2, "", {}}};
     const std::string report = reportOf(result);
     EXPECT_THAT(report, HasSubstr("\n      ◐ the shadow: half of it is there\n"
                                   "      ✗ the glint: it is missing\n"));
     EXPECT_THAT(report, Not(HasSubstr("the lamp")));
+    EXPECT_THAT(report, Not(HasSubstr("the haze"))) << "there is nothing to say of it";
 }
 
 TEST(TerminalReport, PicturesStandBelowLostFramesWhereWanted) {

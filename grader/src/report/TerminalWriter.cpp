@@ -40,7 +40,9 @@ void TerminalWriter::paragraph(const std::string& lead, const std::string& text,
 }
 
 void TerminalWriter::diagnostic(const Diagnostic& diagnostic) {
-    paragraph("    ✗ ", placeOf(diagnostic) + diagnostic.message);
+    const bool error = diagnostic.severity == "error";
+    paragraph(error ? "    ✗ " : "    ! ",
+              placeOf(diagnostic) + (error ? "" : "warning: ") + diagnostic.message);
     const std::string indent(8, ' ');
     const auto source =
         quoted(diagnostic, static_cast<std::size_t>(style_.width) - indent.size() - 1);

@@ -66,7 +66,7 @@ std::string scoreText(double points, double most) {
 
 std::string whatNext(const AssignmentResult& result) {
     if (result.status == "build_error")
-        return "The code does not compile, so nothing could be checked: mend the first error "
+        return "Nothing could be checked: mend the first error "
                "below, then grade again.";
     if (result.graderFailed())
         return "The grader itself failed below; that is not your mistake. Please report it with "
