@@ -8,7 +8,7 @@
 /// Makes a table out of three nodes that are empty at the call, by filling their lists:
 ///
 ///     table   has the edges: one to top, four to leg
-///     top     has the model of the table top
+///     top     has the model of the table top (or table itself has it)
 ///     leg     has the model of one leg, which is thereby drawn four times
 ///
 /// `piece` is the cube of side 1 around the origin; scaled and moved it is the top and each leg.

@@ -200,7 +200,7 @@ void drawTable(const FrameRequest& request, const glm::vec3& size, float thickne
 
 CG_HARNESS(harness) {
     // The same under several names: what runs out of time is not called again under its name.
-    for (const char* name : {"draw", "drawLegs", "drawForward", "drawLeaf"}) {
+    for (const char* name : {"draw", "drawLegs", "drawForward", "drawLeaf", "drawPairs"}) {
         harness.function(
             name, [](int nodes, Ints edges, Matrices childtransforms, Ints hanging,
                      Matrices modeltransforms, Colors materials, Vectors camera, int times) {
@@ -214,7 +214,8 @@ CG_HARNESS(harness) {
     }
     // A graph whose last edge closes a cycle: whether draw() printed more before it came back than
     // what it prints of the same graph without that edge.
-    for (const char* name : {"refuseSingleFile", "refuseBranching", "refuseLongWayRound"}) {
+    for (const char* name :
+         {"refuseSingleFile", "refuseBranching", "refuseLongWayRound", "refuseItself"}) {
         harness.function(name, [](int nodes, Ints edges, Matrices childtransforms, Ints hanging,
                                   Matrices modeltransforms, Colors materials, Vectors camera) {
             Graph graph{nodes, edges, childtransforms, hanging, modeltransforms, materials, camera};

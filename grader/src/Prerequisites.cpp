@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "Error.h"
@@ -112,7 +113,7 @@ private:
             const Need need = parseNeed(text, manifest_);
             if (!fs::exists(root_ / "solutions" / need.assignment))
                 solutionsMissing = true;
-            else if (replace(mended, need))
+            else if (replace(mended, need, Of::solution).value_or(false))
                 replaced.push_back(text);
         }
         if (!replaced.empty()) {
@@ -121,7 +122,7 @@ private:
                           blamed.empty() ? replaced : blamed);
         }
         if (solutionsMissing)
-            skipWhatRestsOnLostTasks(lost);
+            skipWhatRestsOnLostTasks(needs, lost);
     }
 
     /// Of needs those that lose points themselves, or may: of an earlier assignment nobody knows.
@@ -150,20 +151,25 @@ private:
                std::find(check.todos.begin(), check.todos.end(), check.task) != check.todos.end();
     }
 
-    /// Puts the solution's version of a needed task into the stage. False when nothing changed.
-    bool replace(Stage& stage, const Need& need) const {
-        bool changed = false;
+    enum class Of { solution, starter };
+
+    /// Puts the solution's or the starter's version of a needed task into the stage. False when it
+    /// is there already; nothing when there is no place for it.
+    std::optional<bool> replace(Stage& stage, const Need& need, Of whose) const {
+        const bool solved = whose == Of::solution;
+        std::optional<bool> changed;
         for (StagedFile& file : stage.files) {
             const bool ofNeed = need.assignment == manifest_.id
                                     ? file.role == Role::own
                                     : file.role == Role::inherited &&
                                           manifest_.inherits.at(file.name) == need.assignment;
-            const fs::path solved = root_ / "solutions" / need.assignment / file.name;
-            if (!ofNeed || !fs::exists(solved))
+            const fs::path there =
+                root_ / (solved ? "solutions" : "assignments") / need.assignment / file.name;
+            if (!ofNeed || !fs::exists(there))
                 continue;
-            const std::string text = file.role == Role::inherited
+            const std::string text = solved && file.role == Role::inherited
                                          ? substituteFor(root_, manifest_, file.name).content
-                                         : readFile(solved);
+                                         : readFile(there);
             // With fences only the region is replaced; an inherited file is replaced as a whole.
             const auto regions = regionsOf(text);
             std::optional<std::string> better;
@@ -172,12 +178,12 @@ private:
             const bool whole = !better && need.assignment != manifest_.id;
             if (whole)
                 better = text;
-            if (better && *better != file.content) {
-                file.content = *better;
-                if (whole)
-                    file.origin = "solutions";  // nothing in it is the submission's
-                changed = true;
-            }
+            if (!better)
+                continue;
+            changed = changed.value_or(false) || *better != file.content;
+            file.content = *better;
+            if (whole)
+                file.origin = solved ? "solutions" : "starter";  // nothing is the submission's
         }
         return changed;
     }
@@ -216,19 +222,39 @@ private:
                     fmt::join(tasks, ", "), tasks.size() == 1 ? "rests" : "rest", replaced));
     }
 
-    void skipWhatRestsOnLostTasks(const std::set<std::string>& lost) {
-        for (const std::string& id : lost)
-            for (const std::string& text : manifest_.task(id)->needs) {
-                if (holds(parseNeed(text, manifest_)))
-                    continue;
-                for (CheckResult& check : graded_.checks)
-                    if (check.task == id && isLost(check) && check.points == 0 &&
-                        check.status != Status::notImplemented) {
-                        check.status = Status::skipped;
-                        check.message =
-                            "rests on " + text + ", which loses points itself: mend that first";
-                    }
-            }
+    void skipWhatRestsOnLostTasks(const std::vector<std::string>& needs,
+                                  const std::set<std::string>& lost) {
+        for (const std::string& text : needs) {
+            const Need need = parseNeed(text, manifest_);
+            if (holds(need))
+                continue;
+            const auto rests = checksThatRestOn(need);
+            for (CheckResult& check : graded_.checks)
+                if (lost.contains(check.task) && isLost(check) && check.points == 0 &&
+                    check.status != Status::notImplemented &&
+                    (!rests || rests->contains(check.id))) {
+                    check.status = Status::skipped;
+                    check.message =
+                        "rests on " + text + ", which loses points itself: mend that first";
+                }
+        }
+    }
+
+    /// The checks that come across a task when it is unfilled; nothing where that cannot be tried.
+    std::optional<std::set<std::string>> checksThatRestOn(const Need& need) const {
+        Stage blank = stage_;
+        const auto changed = replace(blank, need, Of::starter);
+        if (!changed)
+            return std::nullopt;
+        const Grader::StageResult graded =
+            *changed ? grader_.gradeStage(manifest_, blank, seed_) : graded_;
+        if (!graded.build.ok)
+            return std::nullopt;
+        std::set<std::string> checks;
+        for (const CheckResult& check : graded.checks)
+            if (std::count(check.todos.begin(), check.todos.end(), need.task) > 0)
+                checks.insert(check.id);
+        return checks;
     }
 
     /// Whether a needed task earns all its points with the file that is in the stage.

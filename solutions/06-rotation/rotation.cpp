@@ -1,4 +1,4 @@
-// Three ways to turn a vector, chapter 6. This is the file that you hand in.
+// The cross product as a matrix, and two ways to turn a vector, chapter 6. You hand in this file.
 #include "rotation.h"
 
 #include <cg/Todo.h>

@@ -29,8 +29,8 @@ void expectView(const Pose& pose) {
 
 TEST(LookAt, GeneralPosition) {
     check("view is the inverse of the camera matrix",
-          "Rows of the 3x3 block are x, up, z (7.35); the last column is -C^T eye, not -eye "
-          "(7.36). view[j] is column j.");
+          "Rows of the 3x3 block are x, up, z (7.35); the last column is minus the transposed "
+          "3x3 block times eye, not -eye (7.36). view[j] is column j.");
     expectView(upright);
 }
 

@@ -144,6 +144,16 @@ Trap longWayRound() {
             "refuseLongWayRound"};
 }
 
+Trap itself() {
+    Graph graph;
+    const int arm = graph.node("arm"), hand = graph.node("hand");
+    graph.edge(0, arm, step);
+    graph.edge(arm, hand, step);
+    graph.hang(hand, torus, jade, small);
+    return {"an arm with a hand", "an arm with a hand that is its own child", graph, hand, hand,
+            "refuseItself"};
+}
+
 /// Without the cycle the scene is drawn, with it it is refused.
 void expectGuarded(const Trap& trap) {
     if (!expectAccepted(trap.open, trap.graph, "draw"))
@@ -176,6 +186,11 @@ TEST(Acyclic, SingleFile) {
 TEST(Acyclic, Branching) {
     check("a cycle is refused, too, where nodes have several children");
     expectGuarded(branching());
+}
+
+TEST(Acyclic, Itself) {
+    check("a node that is its own child is refused");
+    expectGuarded(itself());
 }
 
 TEST(Acyclic, LongWayRound) {
@@ -212,6 +227,24 @@ TEST(Acyclic, EveryForwardEdge) {
         graph.hang(4, cube, brass, small);
         expectLegal("a scene of five nodes with every forward edge", graph, "drawForward");
     }
+}
+
+TEST(Acyclic, ManyPaths) {
+    check("fourteen pairs of edges in a row are no cycle, though 16384 paths lead through them",
+          "No fixed number of steps is too many for a legal scene. What cannot grow is one path: "
+          "without a cycle it has fewer edges than there are nodes.");
+    Graph graph;
+    const int beside = graph.node("beside");
+    graph.edge(0, beside, step);
+    graph.hang(beside, cube, brass, small);
+    int last = 0;
+    for (int k = 0; k < 14; ++k) {
+        const int next = graph.node(say("pair {}", k));
+        graph.edge(last, next, step);
+        graph.edge(last, next, small);
+        last = next;
+    }
+    expectLegal("a scene with fourteen pairs of edges in a row", graph, "drawPairs");
 }
 
 TEST(Acyclic, NoChildren) {

@@ -71,8 +71,8 @@ TEST(Attenuation, NeverMore) {
 }
 
 TEST(Attenuation, HomogeneousPoint) {
-    check("the distance to a light with w = 2 is that to its x, y, z divided by 2",
+    check("the distance to a light with w = 2 or 0.5 is that to its x, y, z divided by w",
           "The vector of (10.23) before normalising is w times too long.");
     expectLeft(1.2f, 2.0f, {1.0f, 0.5f, 0.3f});
-    expectLeft(2.6f, 2.0f, {0.5f, 0.3f, 0.2f});
+    expectLeft(2.6f, 0.5f, {0.5f, 0.3f, 0.2f});
 }

@@ -74,10 +74,10 @@ TEST(LightDirection, Point) {
 }
 
 TEST(LightDirection, HomogeneousPoint) {
-    check("a light with w = 2 is at its x, y and z divided by 2",
+    check("a light with w = 2 or 0.5 is at its x, y and z divided by w",
           "(10.22) divides by w; (10.23) multiplies the surface's position by it.");
     expectDirection(sceneA, towards(sceneA, ahead, 2.2f, 2.0f));
-    expectDirection(sceneB, towards(sceneB, beside, 0.9f, 2.0f));
+    expectDirection(sceneB, towards(sceneB, beside, 0.9f, 0.5f));
 }
 
 TEST(LightDirection, OtherCamera) {
