@@ -1,5 +1,5 @@
 # The course with everything installed and built, on Debian 12: for students on macOS and Windows
-# (docs/containers.md), and for the learning platforms that grade in images (docs/platforms.md).
+# (docs/containers.md), and for the learning platforms that grade in images.
 #
 #   docker build -t graphics-course .
 FROM debian:12-slim

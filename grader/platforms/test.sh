@@ -93,6 +93,8 @@ run_packer 2 package-gradescope 06-rotation x.rar
 expect "the ending" 'output.includes("ends with .zip or .tar")'
 run_packer 2 package-autolab 06-rotation bin
 expect "an empty folder" 'output.includes("is not empty")'
+run_packer 2 package-prairielearn 06-rotation pl.zip
+expect "a folder" 'output.includes("pl.zip: expected the name of a folder")'
 run_packer 2 06-rotation --harness moodle
 expect "the platforms" 'output.includes("gradescope,prairielearn,autolab")'
 run_packer 2 06-rotation --harness gradescope --json -
@@ -103,6 +105,10 @@ echo "// changed" >> "$copy/common/cg/Todo.h"
 run_packer 2 package-gradescope 06-rotation x.zip
 expect "the changed file" 'output.includes("common/cg/Todo.h") && output.includes("Commit")'
 git -C "$copy" checkout -q .
+touch "$copy/assignments/06-rotation/tests/New_test.cpp"
+run_packer 2 package-gradescope 06-rotation x.zip
+expect "the new file" 'output.includes("06-rotation/tests/New_test.cpp") && output.includes("Commit")'
+rm "$copy/assignments/06-rotation/tests/New_test.cpp"
 sed -i 's/Rotation.DrawnTurns/Rotation.DrawnTurn/' "$copy/assignments/06-rotation/assignment.json"
 commit "A misspelt check"
 run_packer 2 package-gradescope 06-rotation x.zip

@@ -60,7 +60,7 @@ Unpacked unpackFile(const Toolchain& tools, const Sandbox& sandbox, const Job& j
                     const std::string& name, const std::vector<std::string>& known) {
     Unpacked unpacked{job.work.path() / "unpacked", "", ""};
     const fs::path file = job.work.path() / "archive" / "file";
-    fs::create_directories(unpacked.folder);
+    makeClosedFolder(unpacked.folder);
     shareWithSandbox(unpacked.folder, job.user.id(), true);
 
     Confinement confinement = confinementOf(job);
@@ -146,8 +146,10 @@ Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job
     if (fs::file_size(archive, failed) > kLargestArchive && !failed)
         return {{}, fmt::format("it is larger than {} MiB", kMostMib), ""};
     const fs::path copy = job.work.path() / "archive" / "file";
-    fs::create_directories(copy.parent_path());
+    makeClosedFolder(copy.parent_path());
     fs::copy_file(archive, copy, failed);
+    if (failed == std::errc::permission_denied)
+        return {{}, kUnreadable, ""};
     if (failed)
         throw Error("{} cannot be read: {}", archive.string(), failed.message());
     shareWithSandbox(copy.parent_path(), job.user.id(), false);
@@ -157,9 +159,16 @@ Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job
 Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
                      const fs::path& repository, const std::vector<std::string>& known) {
     const fs::path bare = job.work.path() / "repository", made = job.work.path() / "archive";
-    if (!copyCommits(repository, bare))
-        return {{}, fmt::format("its history is larger than {} MiB", kMostMib), ""};
-    fs::create_directories(made);
+    makeClosedFolder(bare);
+    try {
+        if (!copyCommits(repository, bare))
+            return {{}, fmt::format("its history is larger than {} MiB", kMostMib), ""};
+    } catch (const fs::filesystem_error& error) {
+        if (error.code() != std::errc::permission_denied)
+            throw;
+        return {{}, kUnreadable, ""};
+    }
+    makeClosedFolder(made);
     shareWithSandbox(bare, job.user.id(), true);
     shareWithSandbox(made, job.user.id(), true);
     Confinement confinement = confinementOf(job);

@@ -10,6 +10,9 @@ namespace grader {
 /// Bytes of an archive that is taken, at most, as it is and unpacked.
 inline constexpr std::size_t kLargestArchive = unpack::Limits{}.bytes;
 
+/// Why what the grader may not read is refused.
+inline constexpr const char* kUnreadable = "it cannot be read: check its permissions";
+
 /// What became of an archive that a student handed in.
 struct Unpacked {
     fs::path folder;      ///< of the files, in the job's folder
@@ -19,7 +22,8 @@ struct Unpacked {
 
 /// Unpacks a zip, tar, tar.gz, tar.xz or tar.bz2 in the sandbox, see grader/unpack/Unpack.h. Where
 /// all of it is in one folder that is not named like one of the `known` assignments, that folder is
-/// taken, and said. Throws Error when the file cannot be read.
+/// taken, and said. A file that may not be read is refused; throws Error when it cannot be read for
+/// another reason.
 Unpacked unpackArchive(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
                        const fs::path& archive, const std::vector<std::string>& known);
 

@@ -3,9 +3,9 @@
 namespace grader {
 
 namespace {
-constexpr double kSeconds = 60;
+constexpr double kSeconds = 20;
 // A repository may come from a stranger: a small one can unfold without end.
-constexpr const char* kLimits[] = {"prlimit", "--as=4294967296", "--cpu=60"};
+constexpr const char* kLimits[] = {"prlimit", "--as=4294967296", "--cpu=20"};
 }  // namespace
 
 ProcessResult git(const fs::path& folder, const std::vector<std::string>& arguments,

@@ -32,9 +32,8 @@ CheckResult checkOf(const Manifest& manifest, const TestOutcome& test,
     check.kind = "test";
     check.task = task->id;
     check.title = test.title;
-    check.maxPoints = (task->points - manifest.framePoints(task->id)) / double(siblings);
     check.status = test.verdict.status;
-    check.points = check.full() ? check.maxPoints : 0;
+    countTest(check, manifest, siblings);
     check.message = test.verdict.message;
     check.todos = test.todos;
     check.hidden = test.hidden;
@@ -322,12 +321,12 @@ std::map<std::string, Picture> Grader::draw(const Manifest& manifest, const Stag
 double longestGrading(const Manifest& manifest) {
     const double once = longestBuild(manifest.limits) + longestObservation(manifest);
     // As it is, with files that do not compile replaced, and once for each task with what it needs
-    // mended, which may mean that each of those is looked at; all of them twice more to see whether
-    // a fault is the grader's.
+    // mended, which may mean that each of those is looked at and emptied; all of them twice more to
+    // see whether a fault is the grader's.
     double times = 2;
     for (const Task& task : manifest.tasks)
         if (!task.needs.empty())
-            times += 1 + static_cast<double>(task.needs.size());
+            times += 1 + 2 * static_cast<double>(task.needs.size());
     times *= 3;
     // References: from solution, starter, and what lacks a feature.
     times += 2;

@@ -11,6 +11,8 @@ namespace grader {
 std::vector<Mistake> readMistakes(const fs::path& solution) {
     const std::string file = (solution / "mistakes.json").string();
     const Json json = parseJsonFile(file);
+    if (!json.is_array())
+        throw Error("{}: expected an array of mistakes, found {}", file, json.type_name());
     std::vector<Mistake> mistakes;
     for (std::size_t i = 0; i < json.size(); ++i) {
         Fields fields(json.at(i), fmt::format("{}: [{}]", file, i));

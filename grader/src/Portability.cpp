@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "Tokens.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -17,34 +17,38 @@ bool isCpp(const std::string& name) {
     return kind == ".cpp" || kind == ".h" || kind == ".inl";
 }
 
-std::vector<std::string> wordsOf(const std::string& text) {
-    std::vector<std::string> words;
-    for (Token& each : tokensIn(text))
-        words.push_back(std::move(each.word));
-    return words;
-}
+/// What a file says of names that are elsewhere not what they are here.
+struct Names {
+    std::vector<std::string> constants;  ///< that POSIX adds to <cmath>, by their first use
+    std::set<std::string> defined;       ///< by the file itself
+    bool nearOrFar = false, undefined = false;
+};
 
-/// Whether one word comes right after another: "undef near".
-bool follows(const std::vector<std::string>& words, const std::string& first,
-             const std::string& second) {
-    for (std::size_t i = 1; i < words.size(); ++i)
-        if (words[i - 1] == first && words[i] == second)
-            return true;
-    return false;
-}
-
-bool holds(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// The constants that POSIX adds to <cmath>.
-std::string constantOfPosix(const std::vector<std::string>& words) {
-    static const std::set<std::string> all = {
+Names namesIn(const std::string& text) {
+    static const std::set<std::string> ofPosix = {
         "M_PI",    "M_PI_2",   "M_PI_4", "M_1_PI", "M_2_PI",  "M_2_SQRTPI", "M_E",
         "M_LOG2E", "M_LOG10E", "M_LN2",  "M_LN10", "M_SQRT2", "M_SQRT1_2"};
-    for (const std::string& word : words)
-        if (all.contains(word) && !follows(words, "define", word))
-            return word;
+    Names names;
+    std::string before;
+    forEachToken(text, [&](const Token& token) {
+        const std::string& word = token.word;
+        const bool nearOrFar = word == "near" || word == "far";
+        if (ofPosix.contains(word))
+            names.constants.push_back(word);
+        if (before == "define" && (ofPosix.contains(word) || word == "_USE_MATH_DEFINES"))
+            names.defined.insert(word);
+        names.nearOrFar = names.nearOrFar || nearOrFar;
+        names.undefined = names.undefined || (nearOrFar && before == "undef");
+        before = word;
+    });
+    return names;
+}
+
+/// The first constant that is used and not defined; empty when there is none.
+std::string constantOfPosix(const Names& names) {
+    for (const std::string& each : names.constants)
+        if (!names.defined.contains(each))
+            return each;
     return "";
 }
 
@@ -57,36 +61,30 @@ std::string headerOfWindows(const std::string& text) {
     return "";
 }
 
-std::string lowerCase(std::string text) {
-    for (char& each : text)
-        each = static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
-    return text;
-}
-
 }  // namespace
 
 std::vector<std::string> portabilityNotices(const Stage& stage) {
     std::vector<std::string> notices;
     std::string header;
     bool defined = false, undefined = false;
-    std::vector<std::pair<std::string, std::vector<std::string>>> files;
+    std::vector<std::pair<std::string, Names>> files;
     for (const StagedFile& file : stage.files) {
         if (file.role != Role::own || file.origin != "submission" || !isCpp(file.name))
             continue;
-        files.emplace_back(file.name, wordsOf(file.content));
-        const auto& words = files.back().second;
+        files.emplace_back(file.name, namesIn(file.content));
+        const Names& names = files.back().second;
         header = header.empty() ? headerOfWindows(file.content) : header;
-        defined = defined || follows(words, "define", "_USE_MATH_DEFINES");
-        undefined = undefined || follows(words, "undef", "near") || follows(words, "undef", "far");
+        defined = defined || names.defined.contains("_USE_MATH_DEFINES");
+        undefined = undefined || names.undefined;
     }
-    for (const auto& [name, words] : files) {
-        if (const std::string constant = constantOfPosix(words); !constant.empty() && !defined)
+    for (const auto& [name, names] : files) {
+        if (const std::string constant = constantOfPosix(names); !constant.empty() && !defined)
             notices.push_back(fmt::format(
                 "{} uses {}, which standard C++ and the compiler of Windows do not have: {} works "
                 "everywhere, or write #define _USE_MATH_DEFINES before the first #include",
                 name, constant,
                 constant == "M_PI" ? "std::numbers::pi of <numbers>" : "a constant of <numbers>"));
-        if (!header.empty() && !undefined && (holds(words, "near") || holds(words, "far")))
+        if (!header.empty() && !undefined && names.nearOrFar)
             notices.push_back(fmt::format(
                 "{} uses the names near or far, and <{}> is included: on Windows that brings "
                 "macros of these names along. Write #undef near and #undef far after it",
@@ -97,7 +95,7 @@ std::vector<std::string> portabilityNotices(const Stage& stage) {
 
 std::string nameInOtherCase(const std::string& wanted, const std::vector<std::string>& names) {
     for (const std::string& name : names)
-        if (name != wanted && lowerCase(name) == lowerCase(wanted))
+        if (name != wanted && lowered(name) == lowered(wanted))
             return name;
     return "";
 }

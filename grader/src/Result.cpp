@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kFormat = 1;
 
-/// Sums of thirds and sevenths would otherwise end in noise.
-double rounded(double points) {
-    return std::round(points * 1e6) / 1e6;
-}
-
 /// A frame without points is only shown. It decides nothing, unless the grader failed there.
 bool decides(const CheckResult& check) {
     return check.kind != "frame" || check.maxPoints > 0 || check.status == Status::graderError ||
@@ -182,6 +177,10 @@ std::string dumped(Json json) {
 
 }  // namespace
 
+double rounded(double points) {
+    return std::round(points * 1e6) / 1e6;
+}
+
 double AssignmentResult::points() const {
     double sum = 0;
     for (const TaskResult& task : tasks)
@@ -221,6 +220,12 @@ bool AssignmentResult::graderFailed() const {
             if (check.status == Status::graderError)
                 return true;
     return status == "grader_error";
+}
+
+void countTest(CheckResult& check, const Manifest& manifest, std::ptrdiff_t tests) {
+    const Task& task = *manifest.task(check.task);
+    check.maxPoints = (task.points - manifest.framePoints(task.id)) / static_cast<double>(tests);
+    check.points = check.full() ? check.maxPoints : 0;
 }
 
 std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks) {

@@ -93,6 +93,13 @@ struct AssignmentResult {
     bool graderFailed() const;
 };
 
+/// Points to a millionth: sums of thirds and sevenths would otherwise end in noise.
+double rounded(double points);
+
+/// Gives a test of a task that has so many its points: an equal share of what the frames leave, and
+/// all of it or nothing.
+void countTest(CheckResult& check, const Manifest& manifest, std::ptrdiff_t tests);
+
 /// Sorts checks into the manifest's tasks and sums up. What is manual is pending.
 std::vector<TaskResult> groupByTask(const Manifest& manifest, std::vector<CheckResult> checks);
 

@@ -79,12 +79,12 @@ TaskResult taskFrom(const Json& json) {
     return task;
 }
 
+}  // namespace
+
 Diagnostic diagnosticFrom(const Json& json) {
     return {json.at("file"),     json.at("line"),    json.at("column"),
             json.at("severity"), json.at("message"), json.at("source")};
 }
-
-}  // namespace
 
 std::vector<double> numbersFrom(const Json& json) {
     std::vector<double> numbers;

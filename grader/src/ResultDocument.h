@@ -10,6 +10,9 @@ namespace grader {
 /// nlohmann::json::exception for a document without one of its fields.
 AssignmentResult resultFrom(const Json& document);
 
+/// One of a result's diagnostics.
+Diagnostic diagnosticFrom(const Json& json);
+
 /// Numbers of a judge's or of a result's document, in which one that is not finite is null.
 std::vector<double> numbersFrom(const Json& json);
 /// A comparison of either.

@@ -74,12 +74,22 @@ private:
 
 }  // namespace
 
-std::vector<Token> tokensIn(const std::string& text) {
-    std::vector<Token> tokens;
+void forEachToken(const std::string& text, const std::function<void(const Token&)>& take) {
     Token token;
     for (Scanner scanner(text); scanner.next(token);)
-        tokens.push_back(token);
+        take(token);
+}
+
+std::vector<Token> tokensIn(const std::string& text) {
+    std::vector<Token> tokens;
+    forEachToken(text, [&](const Token& token) { tokens.push_back(token); });
     return tokens;
+}
+
+std::string wordsOf(const std::string& text) {
+    std::string words;
+    forEachToken(text, [&](const Token& token) { words += token.word + " "; });
+    return words;
 }
 
 }  // namespace grader

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,14 @@ struct Token {
     std::string word;  ///< what it says
 };
 
-/// The tokens of a text; comments and layout are passed over. Any text has tokens.
+/// Hands on the tokens of a text, one after the other; comments and layout are passed over. Any
+/// text has tokens.
+void forEachToken(const std::string& text, const std::function<void(const Token&)>& take);
+
+/// All of them: a hundred times the text in memory, if it is one of signs.
 std::vector<Token> tokensIn(const std::string& text);
+
+/// The words of these, a space after each: a text without comments and layout.
+std::string wordsOf(const std::string& text);
 
 }  // namespace grader

@@ -1,5 +1,8 @@
 // Input that is not as it should be: each case has a message that a first-year student can act on.
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "CourseCopy.h"
 #include "Lab.h"
 
@@ -32,6 +35,24 @@ TEST(BadInput, AMissingSubmissionFolderIsNamed) {
     const Graded graded = lab::runGrader({"--submission", "/nonexistent/folder"});
     EXPECT_EQ(graded.exitCode, 2);
     EXPECT_TRUE(says(graded, "/nonexistent/folder: there is no such folder"));
+}
+
+TEST(BadInput, ASingleFileIsNoSubmission) {
+    const Submission submission;
+    const Graded graded =
+        lab::runGrader({"06-rotation", "--submission", submission.file(kRotation).string()});
+    EXPECT_EQ(graded.exitCode, 2);
+    EXPECT_TRUE(says(graded, "expected a folder or an archive; put the file into a folder"));
+}
+
+TEST(BadInput, TheCommandForPicturesNamesTheSameSubmission) {
+    const lab::WorkFolder work;
+    const std::string folder = work.path().string();
+    lab::writeFile(folder + "/Mia's files/rotation.cpp", "this is no C++\n");
+    const Graded graded = lab::runGrader({"--context", "osmesa", "--submission",
+                                          folder + "/Mia's files", "--seed", "7", "06-rotation"});
+    EXPECT_TRUE(says(graded, "\nPictures: ./grade --open 06-rotation --submission '" + folder +
+                                 "/Mia'\\''s files' --seed 7 --context osmesa\n"));
 }
 
 TEST(BadInput, AMissingFileIsNamedAndTheRestIsGraded) {
@@ -129,6 +150,26 @@ TEST(BadInput, TheTerminalShowsTheErrorAndFitsEightyColumns) {
     EXPECT_TRUE(says(graded, "undefinedThing"));
 }
 
+TEST(BadInput, WhatKilledGradingsLeftBehindIsRemoved) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "a sanitizer's library wants to be loaded before any other";
+#endif
+    const lab::WorkFolder temporary;
+    // They are old enough for a clock that jumps ahead at every second look.
+    const std::vector<lab::fs::path> left = {temporary.path() / "course-aaaaaa",
+                                             temporary.path() / "course-bbbbbb"};
+    for (const lab::fs::path& each : left)
+        lab::fs::create_directory(each);
+    Submission submission;
+    submission.write(kRotation, "this is no C++\n");
+    const auto graded = lab::run(
+        {"env", std::string("LD_PRELOAD=") + JUMPING_CLOCK, "TMPDIR=" + temporary.path().string(),
+         COURSE_GRADER, "06-rotation", "--submission", submission.folder().string()},
+        60);
+    EXPECT_EQ(graded.exitCode, 1) << graded.output;
+    EXPECT_FALSE(lab::fs::exists(left[0]) && lab::fs::exists(left[1]));
+}
+
 /// For damage that must not touch ours.
 class DamagedCourse : public testing::Test {
 protected:
@@ -150,6 +191,13 @@ protected:
         ASSERT_NE(at, std::string::npos) << name << ": " << from;
         lab::writeFile(file(name), text.replace(at, from.size(), to));
     }
+
+    static void makeProgram(const lab::fs::path& at, const std::string& text) {
+        lab::writeFile(at, "#!/bin/sh\n" + text);
+        lab::fs::permissions(at, lab::fs::perms(0755));
+    }
+    /// Where programs of the test's own are found first.
+    std::string path() { return "PATH=" + file("bin").string() + ":" + std::getenv("PATH"); }
 
     const lab::CourseCopy copy_;
     const lab::fs::path program_ = copy_.root() / "grade";
@@ -209,6 +257,90 @@ TEST_F(DamagedCourse, WithoutSolutionsWhatRestsOnALostTaskIsSkipped) {
     edit("handed-in/07-camera/Camera.cpp", "rotation(degrees, up)", "rotation(-degrees, up)");
     const Graded own = grade("07-camera", "handed-in");
     EXPECT_FALSE(says(own, "rests on"));
+}
+
+TEST_F(DamagedCourse, WithoutSolutionsWhatDoesWithoutALostTaskIsJudged) {
+    lab::fs::rename(file("solutions"), file("handed-in"));
+    const std::string rotation = "handed-in/06-rotation/rotation.cpp";
+    edit(rotation, "u.z, -u.y)", "u.z, u.y)");
+    edit(rotation, "0.5f * glm::radians(degrees)", "glm::radians(degrees)");
+    EXPECT_FALSE(says(grade("06-rotation", "handed-in"), "rests on"))
+        << "eulerRodrigues has a mistake of its own";
+    edit(rotation, "return R;\n    // END TODO(euler-rodrigues)",
+         "return R + 0.0f * crossMatrix(axis);\n    // END TODO(euler-rodrigues)");
+    EXPECT_TRUE(says(grade("06-rotation", "handed-in"), "rests on cross-matrix"));
+}
+
+TEST_F(DamagedCourse, WhatAVariantLosesIsAnArray) {
+    lab::writeFile(file("solutions/06-rotation/variants/a/loses.json"), "{}");
+    const auto checked = lab::run({program_.string(), "check-course", "06-rotation"}, 120.0);
+    EXPECT_EQ(checked.exitCode, 2);
+    EXPECT_NE(checked.output.find("variants/a/loses.json: expected an array, each element a text, "
+                                  "found {}"),
+              std::string::npos)
+        << checked.output;
+}
+
+TEST_F(DamagedCourse, AWindowIsBuiltByOneAtATimeAndOpenedForAll) {
+    // In place of CMake and of a window: who says whether somebody else could build.
+    const std::string ifFree = "flock -n '" + (copy_.build() / "lock").string() + "' ";
+    makeProgram(file("bin/cmake"), ifFree + "echo free while it is built\nexit 0\n");
+    makeProgram(copy_.build() / "windows/06-rotation", ifFree + "echo free while it is open\n");
+    const auto opened = lab::run({"env", path(), program_.string(), "window", "06-rotation"}, 60.0);
+    EXPECT_EQ(opened.output, "free while it is open\n");
+}
+
+TEST_F(DamagedCourse, ADebuggerIsToldWhereTheTaskIs) {
+    makeProgram(file("bin/cmake"), "");
+    makeProgram(file("bin/gdb"), "printf %s \"$3\"\n");
+    for (const std::string id : {"06-rotation", "10-lighting"})
+        makeProgram(copy_.build() / "debug" / (id + "_debug"), "echo '  AnyTest'\n");
+    const auto toldFor = [&](const std::string& id, const std::string& test) {
+        return lab::run({"env", path(), program_.string(), "debug", id, test}, 60.0).output;
+    };
+    const std::string rotation = lab::readFile(file("assignments/06-rotation/rotation.cpp"));
+    const auto line = std::count(
+        rotation.begin(), rotation.begin() + long(rotation.find("// BEGIN TODO(rotation)")), '\n');
+    EXPECT_EQ(toldFor("06-rotation", "Rotation.Zero"),
+              fmt::format("echo Set a breakpoint (break rotation.cpp:{}), then: run\\n", line + 1));
+    EXPECT_EQ(toldFor("10-lighting", "Ambient.Any"), "echo Set a breakpoint, then: run\\n")
+        << "it is in a shader";
+}
+
+TEST_F(DamagedCourse, AMissingFileOfTheStudentsKeepsOnlyWhatIsMadeOfIt) {
+    const lab::fs::path rotation = file("assignments/06-rotation/rotation.cpp");
+    lab::fs::rename(rotation, file("kept"));
+    const std::string mend = "rotation.cpp is missing: git restore ";
+    const Graded lost = grade("07-camera", "assignments");
+    EXPECT_EQ(lost.exitCode, 1);
+    EXPECT_TRUE(says(lost, mend));
+    EXPECT_FALSE(says(lost, "compile")) << lost.text;
+    EXPECT_EQ(grade("08-perspective").exitCode, 0) << "others are graded as ever";
+    const auto window = lab::run({program_.string(), "window", "06-rotation"}, 60.0);
+    EXPECT_EQ(
+        window.output,
+        "grade: " + mend + "assignments/06-rotation/rotation.cpp brings the starter's back\n");
+
+    const std::string without = copy_.buildAssignment("help").output;
+    EXPECT_NE(without.find("\n06-rotation_tests: "), std::string::npos) << without;
+    EXPECT_EQ(without.find("\n06-rotation_debug: "), std::string::npos) << without;
+    EXPECT_EQ(without.find("\n08-perspective: "), std::string::npos) << without;
+    lab::fs::rename(file("kept"), rotation);
+    const std::string again = copy_.sh("cmake --build build/release --target help").output;
+    EXPECT_NE(again.find("\n06-rotation_debug: "), std::string::npos) << again;
+    EXPECT_NE(again.find("\n08-perspective: "), std::string::npos) << again;
+}
+
+TEST_F(DamagedCourse, ACopyOfAnAssignmentIsLeftOut) {
+    lab::fs::copy(file("assignments/06-rotation"), file("assignments/06-rotation (copy)"),
+                  lab::fs::copy_options::recursive);
+    const std::string sentence =
+        "assignments/06-rotation (copy) is a copy of 06-rotation, left out";
+    const Graded graded = grade("06-rotation");
+    EXPECT_EQ(graded.exitCode, 0);
+    EXPECT_TRUE(says(graded, sentence));
+    EXPECT_EQ(copy_.buildAssignment("help").exitCode, 0);
+    EXPECT_NE(lab::readFile(file("configure.log")).find(sentence), std::string::npos);
 }
 
 /// A course whose runner and compiler are started by scripts of the test's own. They find the kit

@@ -74,6 +74,49 @@ TEST_F(BatchTest, BadInputIsNamed) {
                                            "06-rotation", "--out", out().string()});
     EXPECT_EQ(missing.exitCode, 2);
     EXPECT_THAT(missing.text, HasSubstr("there is no such folder"));
+    for (const char* part : {"1/-1", "0/2", "3/2", "1/2x"}) {
+        const Graded refused = batch({"--shard", part});
+        EXPECT_EQ(refused.exitCode, 2) << part;
+        EXPECT_THAT(refused.text, HasSubstr("expected a part of a whole like 2/8"));
+    }
+}
+
+TEST_F(BatchTest, WhatIsKeptAndDamagedIsNamedOrGradedAgain) {
+    ASSERT_EQ(batch().exitCode, 0);
+    lab::writeFile(out() / "students/half/result.json", "{}");
+    lab::writeFile(out() / "instructor/honest/record.json", "[]");
+    lab::writeFile(out() / "results.json", R"({"assignment": "06-rotation", "students": [{}]})");
+    const Graded exported = lab::runGrader({"export", out().string(), "--to", "csv"});
+    EXPECT_EQ(exported.exitCode, 2);
+    EXPECT_THAT(exported.text, HasSubstr("results.json is not as ./grade batch wrote it"));
+    EXPECT_THAT(exported.text, HasSubstr("run the same ./grade batch again"));
+    const Graded again = batch();
+    EXPECT_EQ(again.exitCode, 0) << again.text;
+    EXPECT_THAT(again.text, Not(HasSubstr("half 75 of 100 (as before)")));
+    EXPECT_EQ(student("half").at("points"), 75.0);
+    EXPECT_EQ(student("honest").at("points"), 100.0);
+    lab::writeFile(out() / "students/half/result.json", R"({"tasks": [{}]})");
+    EXPECT_THAT(lab::runGrader({"export", out().string(), "--to", "junit"}).text,
+                HasSubstr("half/result.json is not as"));
+    lab::writeFile(out() / "batch.json", "{}");
+    EXPECT_THAT(batch().text, HasSubstr("batch.json is not as"));
+}
+
+TEST_F(BatchTest, NamesThatStudentsChooseAreShownHarmless) {
+    const std::string name = "e\x1b[31m\n::error::\xff";
+    lab::writeFile(home() / (name + ".zip"), "my homework");
+    lab::writeFile(home() / (name + ".txt"), "");
+    const Graded graded = batch();
+    EXPECT_EQ(graded.exitCode, 0) << graded.text;
+    EXPECT_THAT(graded.text, HasSubstr("e [31m ::error::?: refused"));
+    EXPECT_THAT(graded.text, HasSubstr("Look at: e [31m ::error::?.txt: neither"));
+    const std::string table = lab::readFile(out() / "results.csv");
+    EXPECT_THAT(table, HasSubstr("e [31m ::error::?,"));
+    for (const std::string& each : {graded.text, table}) {
+        EXPECT_THAT(each, Not(HasSubstr("\x1b")));
+        EXPECT_THAT(each, Not(HasSubstr("\n::error::")));
+        EXPECT_THAT(each, Not(HasSubstr("\xff")));
+    }
 }
 
 TEST_F(BatchTest, ARepositoryIsReadFromItsCommitAndRunsNothing) {

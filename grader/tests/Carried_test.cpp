@@ -19,6 +19,9 @@ TEST(Carried, FilesCountInGradingAndInTheWindow) {
         fs::copy_file(copy.root() / "solutions/07-camera" / name,
                       copy.root() / "assignments/07-camera" / name,
                       fs::copy_options::overwrite_existing);
+    const auto same = copy.sh("./grade carry 07-camera 07-camera");
+    EXPECT_EQ(same.exitCode, 2);
+    EXPECT_THAT(same.output, HasSubstr("the two are the same"));
     const auto carried = copy.sh("./grade carry 07-camera 08-perspective");
     ASSERT_EQ(carried.exitCode, 0) << carried.output;
     EXPECT_THAT(carried.output, HasSubstr("copied to " + kCamera));

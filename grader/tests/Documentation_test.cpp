@@ -64,7 +64,8 @@ TEST_F(DocumentationTest, FindsWhatIsWrong) {
                                                    "ninja -C build/release no_such_target\n"
                                                    "```\n"
                                                    "Say `./grade export --sideways …`,\n"
-                                                   "`./grade batch`, `./grade batch --upwards`.\n");
+                                                   "`./grade batch`, `./grade batch --upwards`,\n"
+                                                   "`ctest -R workflows`.\n");
     EXPECT_THAT(found,
                 ElementsAre(HasSubstr("page.md:3: ./grade 05-nothing\n    ended with exit code 2"),
                             HasSubstr("page.md:4:"), HasSubstr("page.md:5:"),
@@ -72,7 +73,8 @@ TEST_F(DocumentationTest, FindsWhatIsWrong) {
                             HasSubstr("page.md:7: cd nowhere\n    there is no such folder"),
                             HasSubstr("page.md:9:"), HasSubstr("there is no target no_such_target"),
                             HasSubstr("does not know --sideways"),
-                            HasSubstr("page.md:13: ./grade batch --upwards")));
+                            HasSubstr("page.md:13: ./grade batch --upwards"),
+                            HasSubstr("page.md:14: ctest -R workflows\n    nothing tries this")));
     EXPECT_THAT(
         documentation_->tryLinks("docs/page.md",
                                  "[a](../README.md) [b](none.md) [c](batch.md#what-it-takes)"

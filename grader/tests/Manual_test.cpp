@@ -54,6 +54,13 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run(arguments);
     }
+    /// Lines of a table of --overrides: one point in each task.
+    static std::string shown(const std::string& student) {
+        std::string lines;
+        for (const char* task : {"cross-matrix", "rotation", "euler-rodrigues", "favourite-turn"})
+            lines += fmt::format("{},{},1,shown in person\n", student, task);
+        return lines;
+    }
     Json ann() const {
         return lab::parseJsonFile((out() / "results.json").string()).at("students").at(0);
     }
@@ -102,10 +109,8 @@ TEST_F(ManualTask, CountsNowhereBeforeItIsDecided) {
 
 TEST_F(ManualTask, AStudentWhoHandedInNothingIsExportedOnceDecided) {
     lab::writeFile(work_.path() / "roster.csv", "id,name\nann,Ann\nbob,Bob\n");
-    std::string decided = "student,task,points,reason\nann,favourite-turn,4,bold\n";
-    for (const char* task : {"cross-matrix", "rotation", "euler-rodrigues", "favourite-turn"})
-        decided += fmt::format("bob,{},1,shown in person\n", task);
-    lab::writeFile(work_.path() / "o.csv", decided);
+    lab::writeFile(work_.path() / "o.csv",
+                   "student,task,points,reason\nann,favourite-turn,4,bold\n" + shown("bob"));
     const auto graded = batch({"--overrides", (work_.path() / "o.csv").string(), "--roster",
                                (work_.path() / "roster.csv").string()});
     ASSERT_EQ(graded.exitCode, 0) << graded.output;
@@ -123,6 +128,20 @@ TEST_F(ManualTask, AStudentWhoHandedInNothingIsExportedOnceDecided) {
     EXPECT_THAT(run({"export", out().string(), "--to", "gradescope"}).output,
                 HasSubstr("bob has no mark"));
     EXPECT_FALSE(fs::exists(bob));
+}
+
+TEST_F(ManualTask, TwoStudentsAreNeverExportedToOneFile) {
+    lab::writeFile(work_.path() / "roster.csv", "id,name\na/b,One\na_b,Other\n");
+    lab::writeFile(work_.path() / "o.csv",
+                   "student,task,points,reason\n" + shown("a/b") + shown("a_b"));
+    const auto graded = batch({"--overrides", (work_.path() / "o.csv").string(), "--roster",
+                               (work_.path() / "roster.csv").string()});
+    ASSERT_EQ(graded.exitCode, 0) << graded.output;
+    const auto exported = run({"export", out().string(), "--to", "gradescope"});
+    EXPECT_EQ(exported.exitCode, 2);
+    EXPECT_THAT(exported.output, HasSubstr("a_b.json would be the file of two students"));
+    EXPECT_FALSE(fs::exists(out() / "export/gradescope")) << "not one of them";
+    EXPECT_EQ(run({"export", out().string(), "--to", "csv"}).exitCode, 0);
 }
 
 }  // namespace

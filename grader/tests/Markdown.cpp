@@ -62,7 +62,8 @@ void forEachStep(const std::string& line, const std::function<void(const std::st
 }  // namespace
 
 std::vector<Command> commandsIn(const std::string& markdown) {
-    static const std::regex code("`([^`]+)`"), ours(R"(\./(grade|test)( .*)?)");
+    static const std::regex code("`([^`]+)`"),
+        ours(R"(\./(grade|test)( .*)?|(ctest|cmake|ninja|docker) .*)");
     std::vector<Command> commands;
     std::string begun;  // of a line that goes on
     int begunAt = 0;

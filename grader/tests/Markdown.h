@@ -16,7 +16,8 @@ struct Command {
 };
 
 /// Commands of a page: the lines of its fenced blocks without a language or with sh, bash or
-/// console, and code within the text that begins with ./grade or ./test. A line with && is two.
+/// console, and code within the text that begins with ./grade or ./test, or calls ctest, cmake,
+/// ninja or docker with an argument. A line with && is two.
 std::vector<Command> commandsIn(const std::string& markdown);
 
 /// A link or a picture.

@@ -35,9 +35,12 @@ TEST(Markdown, CommandsAreLinesOfFencedBlocks) {
                             "8 cmake --preset dev", "8 ninja", "11 ls"));
 }
 
-TEST(Markdown, CommandsInTheTextAreOurs) {
-    const auto found = commandsIn("Say `./grade --open`, or `ls`, `./grader`, `./test -R x`.\n");
-    EXPECT_THAT(textsOf(found), ElementsAre("1 ./grade --open", "1 ./test -R x"));
+TEST(Markdown, CommandsInTheTextAreOursAndThoseThatBuild) {
+    const auto found = commandsIn(
+        "Say `./grade --open`, or `ls`, `./grader`, `./test -R x`,\n"
+        "`ctest -R x`, `cmake .`, `cmakes`, `ninja`, `docker build .`.\n");
+    EXPECT_THAT(textsOf(found), ElementsAre("1 ./grade --open", "1 ./test -R x", "2 ctest -R x",
+                                            "2 cmake .", "2 docker build ."));
     EXPECT_TRUE(found[0].inText);
 }
 

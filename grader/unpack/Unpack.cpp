@@ -143,8 +143,20 @@ private:
             if (bytes_ > limits_.bytes)
                 throw Refusal(
                     fmt::format("its files take more than {} MiB unpacked", limits_.bytes >> 20));
-            if (::write(file.number(), block, static_cast<std::size_t>(got)) != got)
+            writeAll(file, block, static_cast<std::size_t>(got));
+        }
+    }
+
+    /// The system may take less than all of it at once.
+    static void writeAll(const Descriptor& file, const char* data, std::size_t size) {
+        while (size > 0) {
+            const ssize_t wrote = ::write(file.number(), data, size);
+            if (wrote < 0 && errno == EINTR)
+                continue;
+            if (wrote < 0)
                 throw std::runtime_error(std::string("cannot unpack: ") + std::strerror(errno));
+            data += wrote;
+            size -= static_cast<std::size_t>(wrote);
         }
     }
 

@@ -2,7 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
+
+#include "Process.h"
 #include "testing/Tree.h"
 
 namespace {
@@ -46,6 +50,27 @@ TEST(Unpack, SaysWhatAFileIsWhenItIsNoArchive) {
     EXPECT_THAT(unpack::unpack(tree / "text", tree / "target"), HasSubstr("no zip, tar"));
     EXPECT_THAT(unpack::unpack(tree / "missing", tree / "target"), HasSubstr("no zip, tar"));
     EXPECT_TRUE(std::filesystem::is_empty(tree / "target"));
+}
+
+TEST(Unpack, SaysWhyAFileCannotBeWritten) {
+    const Tree tree;
+    tree.write("in/file", std::string(100000, 'x'));
+    std::filesystem::create_directories(tree / "target");
+    ASSERT_TRUE(
+        grader::run({"tar", "-cf", (tree / "tar").string(), "-C", (tree / "in").string(), "file"},
+                    10)
+            .succeeded());
+    // The first write takes as much as there is room for.
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit little{1000, before.rlim_max};
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &little);
+    const std::string said = testing_help::whatOf<std::runtime_error>(
+        [&] { unpack::unpack(tree / "tar", tree / "target"); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_DFL);
+    EXPECT_EQ(said, "cannot unpack: File too large");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "Error.h"
 #include "ResultDocument.h"
 #include "TimeBox.h"
+#include "Tokens.h"
 #include "batch/Marks.h"
 #include "batch/Remark.h"
 #include "batch/Replay.h"
@@ -142,31 +143,32 @@ std::optional<Standing> Batch::known(const Entrant& entrant, const Key& key) con
     auto found = ledger_.known(entrant.name, key);
     if (!found)
         return std::nullopt;
-    if (found->wording != key.wording) {
-        try {
+    try {
+        if (found->wording != key.wording) {
             found->result = markAgain(entrant.name, std::move(found->result));
-        } catch (const std::exception&) {
-            return std::nullopt;  // something of it, or one of its pictures, is not there any more
+            ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
         }
-        ledger_.keep(entrant.name, key, found->result.dump(2) + "\n");
+        Standing standing = standingFrom(entrant.name, found->result);
+        standing.fromBefore = true;
+        standing.unstable = ledger_.record(entrant.name).value("unstable", "");
+        return standing;
+    } catch (const std::exception&) {
+        return std::nullopt;  // something of it, or one of its pictures, is not there any more
     }
-    Standing standing = standingFrom(entrant.name, found->result);
-    standing.fromBefore = true;
-    standing.unstable = ledger_.record(entrant.name).value("unstable", "");
-    return standing;
 }
 
 Standing Batch::gradeOnce(const Entrant& entrant, const Key& key) const {
     const Job unpacking;
     const Unpacked unpacked = layOut(grader_.tools(), sandbox_, unpacking, entrant, known_);
     if (!unpacked.refusal.empty()) {
+        const char* what = entrant.kind == EntrantKind::clone     ? "repository"
+                           : entrant.kind == EntrantKind::archive ? "archive"
+                                                                  : "submission";
         Json document = {
             {"format", 1},
             {"assignment", manifest_.id},
             {"status", "refused"},
-            {"sentence", fmt::format("the {} is refused: {}",
-                                     entrant.kind == EntrantKind::clone ? "repository" : "archive",
-                                     unpacked.refusal)}};
+            {"sentence", fmt::format("the {} is refused: {}", what, unpacked.refusal)}};
         ledger_.keep(entrant.name, key, document.dump(2) + "\n");
         return standingFrom(entrant.name, document);
     }

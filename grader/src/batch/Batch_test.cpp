@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "Error.h"
 #include "batch/Intake.h"
+#include "batch/Keys.h"
 #include "batch/Ledger.h"
 #include "batch/Overview.h"
 #include "batch/Progress.h"
@@ -16,6 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing_help::Tree;
+using testing_help::whatOf;
 
 Manifest someManifest() {
     Manifest manifest;
@@ -79,6 +82,74 @@ TEST(Intake, RefusesWhatItWouldHaveToGuess) {
     EXPECT_THROW(takeIn(tree / "missing", someManifest(), {}), Error);
 }
 
+TEST(Intake, WhatIsThereTwiceIsNamedByItsPlace) {
+    const Tree loose, clone;
+    loose.write("ann/rotation.cpp", "");
+    loose.write("ann.cpp", "");
+    EXPECT_THAT(whatOf<Error>([&] { takenIn(loose); }), HasSubstr("ann.cpp"));
+    clone.write("bob.zip", "");
+    clone.write("bob/.git/HEAD", "");
+    for (const char* each : {"objects", "refs"})
+        fs::create_directories(clone / "bob/.git" / each);
+    EXPECT_THAT(whatOf<Error>([&] { takenIn(clone); }), HasSubstr("bob/.git"));
+}
+
+/// Root reads everything, so the test becomes somebody else while it looks.
+class AsNobody {
+public:
+    AsNobody() : was_(geteuid()) { changed_ = was_ != 0 || seteuid(65534) == 0; }
+    ~AsNobody() { [[maybe_unused]] const int back = seteuid(was_); }
+    bool worked() const { return changed_; }
+
+private:
+    uid_t was_;
+    bool changed_;
+};
+
+class LayingOut : public testing::Test {
+protected:
+    LayingOut() {
+        for (const char* each : {"work.zip", "ann.cpp", "clone/.git/HEAD",
+                                 "clone/.git/objects/33/4", "clone/.git/refs/heads/master"})
+            tree_.write(each, "x");
+    }
+    Unpacked laidOut(const Entrant& entrant, const Job& job) const {
+        return layOut(Toolchain(), *makePlainProcess(""), job, entrant, {});
+    }
+
+    const Tree tree_;
+    const Entrant archive_{"work", tree_ / "work.zip", EntrantKind::archive};
+    const Entrant clone_{"clone", tree_ / "clone/.git", EntrantKind::clone};
+    const Entrant loose_{
+        "ann", tree_.path(), EntrantKind::looseFiles, {{"rotation.cpp", tree_ / "ann.cpp"}}};
+};
+
+TEST_F(LayingOut, RefusesWhatMayNotBeRead) {
+    for (const auto& [entrant, closed] :
+         {std::pair(archive_, "work.zip"), std::pair(loose_, "ann.cpp"),
+          std::pair(clone_, "clone/.git/HEAD"), std::pair(clone_, "clone/.git/objects/33"),
+          std::pair(clone_, "clone/.git/refs/heads/master")}) {
+        const auto before = fs::status(tree_ / closed).permissions();
+        fs::permissions(tree_ / closed, fs::perms::none);
+        {
+            const AsNobody other;
+            if (!other.worked())
+                GTEST_SKIP() << "root cannot become another user here, and reads everything";
+            const Job job;
+            EXPECT_EQ(laidOut(entrant, job).refusal, kUnreadable) << closed;
+            EXPECT_NO_THROW(keyOf({}, tree_.path(), someManifest(), entrant, {})) << closed;
+        }
+        fs::permissions(tree_ / closed, before);
+    }
+}
+
+TEST_F(LayingOut, ShowsLooseFilesToNobodyElse) {
+    const Job job;
+    const fs::path folder = laidOut(loose_, job).folder;
+    EXPECT_EQ(readFile(folder / "rotation.cpp"), "x");
+    EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
+}
+
 TEST(Ledger, KnowsOnlyWhatIsWholeAndHasTheSameKey) {
     const Tree tree;
     const Ledger ledger(tree.path());
@@ -99,6 +170,12 @@ TEST(Ledger, KnowsOnlyWhatIsWholeAndHasTheSameKey) {
     ledger.keep("gamma", key, "{}");
     ledger.begin("gamma");
     EXPECT_FALSE(ledger.known("gamma", key)) << "what is begun anew is not known";
+}
+
+TEST(Progress, SaysNamesOnOneLineAndHarmless) {
+    testing::internal::CaptureStderr();
+    Progress(2, false).count("a\x1b[31m\n::error::b 3 of 4", false, false);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "1/2 a [31m ::error::b 3 of 4\n");
 }
 
 TEST(Progress, ForeseesTheEnd) {

@@ -75,6 +75,12 @@ TEST(CsvTable, BadOnesAreNamedWithTheirLine) {
               "f.csv: there is no column \"mail\"; the columns are id, name");
 }
 
+TEST(CsvTable, ACellThatIsSetSteersNothing) {
+    EXPECT_EQ(csvCell("a\x1b[31mb\tc\xff\nd"), "a [31mb c? d");
+    EXPECT_EQ(csvCell("\t=1"), "' =1");
+    EXPECT_EQ(csvCell("\x01@1"), "' @1");
+}
+
 // Times
 
 TEST(Moment, IsTheSameHoweverItIsWritten) {
@@ -90,6 +96,10 @@ TEST(Moment, WithoutAZoneOrADayIsRefused) {
                 HasSubstr("p.json: due: \"2026-11-03T23:59:00\" is no time"));
     EXPECT_THAT(complaintOf([] { parseMoment("2026-02-30T00:00Z", "f"); }),
                 HasSubstr("there is no such time"));
+    for (const char* far : {"+15:00", "-14:60", "+99:99"})
+        EXPECT_THAT(complaintOf([&] { parseMoment(std::string("2026-11-03T23:59") + far, "f"); }),
+                    HasSubstr("there is no such time"));
+    EXPECT_EQ(toString(parseMoment("2026-11-03T14:30+14:00", "f")), "2026-11-03T00:30:00Z");
     EXPECT_THAT(complaintOf([] { parseMoment("soon", "f"); }), HasSubstr("no time"));
 }
 
@@ -407,6 +417,12 @@ TEST_F(MarksTest, WhatIsNotGradedThisTimeIsRememberedAllTheSame) {
     Overrides stopped(tree_ / "o.csv", tree_ / "memory.json", someManifest());
     stopped.remember();  // before anything was graded
     EXPECT_THAT(marks(decisions, 30)[0].warnings, testing::SizeIs(1));
+}
+
+TEST_F(MarksTest, ADamagedMemoryOfDecisionsIsNamed) {
+    tree_.write("memory.json", "[1]");
+    EXPECT_THAT(complaintOf([&] { marks("ann,view-matrix,1,x\n"); }),
+                testing::AllOf(HasSubstr("memory.json is not as"), HasSubstr("move it away")));
 }
 
 TEST_F(MarksTest, DecisionsWithFaultsAreRefused) {

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <future>
-#include <mutex>
 #include <set>
 #include <thread>
 

@@ -1,10 +1,10 @@
 #include "batch/Csv.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 
 #include "Error.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -50,20 +50,16 @@ char separatorOf(const std::string& text) {
 
 }  // namespace
 
-std::string lowered(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 bool sameText(const std::string& a, const std::string& b) {
     return !a.empty() && lowered(a) == lowered(b);
 }
 
 std::string csvCell(std::string text, char separator) {
-    if (!text.empty() && std::strchr("=+-@\t\r", text.front()))
+    text = harmless(std::move(text));
+    if (const auto first = text.find_first_not_of(' ');
+        first != std::string::npos && std::strchr("=+-@", text[first]))
         text.insert(text.begin(), '\'');
-    if (text.find_first_of(std::string("\"\r\n") + separator) == std::string::npos)
+    if (text.find_first_of(std::string("\"") + separator) == std::string::npos)
         return text;
     std::string quoted = "\"";
     for (const char c : text)

@@ -8,14 +8,11 @@
 
 namespace grader {
 
-/// With small letters (of ASCII).
-std::string lowered(std::string text);
-
 /// Whether two texts say the same, whatever their case. An empty one says nothing.
 bool sameText(const std::string& a, const std::string& b);
 
-/// A cell of RFC 4180, quoted where it must be. What a spreadsheet would take for a formula gets an
-/// apostrophe in front.
+/// A cell of RFC 4180, quoted where it must be, and harmless(). What a spreadsheet would take for a
+/// formula gets an apostrophe in front.
 std::string csvCell(std::string text, char separator = ',');
 
 /// A table of comma-separated values (RFC 4180; also with semicolons or tabs, and with a byte order

@@ -4,6 +4,7 @@
 
 #include "Error.h"
 #include "batch/Ledger.h"
+#include "batch/Written.h"
 
 namespace grader {
 
@@ -15,7 +16,9 @@ std::vector<Print> printsIn(const fs::path& folder, const std::string& assignmen
         throw Error(
             "{} is not what ./grade batch or merge wrote to its --out: it has no results.json",
             folder.string());
-    const std::string found = parseJsonFile(results.string()).at("assignment");
+    const std::string found =
+        fromWritten(results, kGradeAgain,
+                    [](const Json& document) -> std::string { return document.at("assignment"); });
     if (found != assignment)
         throw Error("{} holds results of {}, which are not compared with those of {}",
                     folder.string(), found, assignment);

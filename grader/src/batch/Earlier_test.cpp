@@ -55,6 +55,8 @@ TEST_F(EarlierTest, OnlyPairsWithSomebodyOfTodayAreSaid) {
 
 TEST_F(EarlierTest, RefusesWhatIsNoBatchOfTheAssignment) {
     EXPECT_THAT(refusal("new"), HasSubstr("it has no results.json"));
+    tree_.write("other/results.json", "{}");
+    EXPECT_THAT(refusal("other"), HasSubstr("other/results.json is not as ./grade batch wrote it"));
     tree_.write("other/results.json", R"({"format": 1, "assignment": "07-camera", "seed": 1})");
     EXPECT_THAT(refusal("other"), HasSubstr("holds results of 07-camera"));
     tree_.write("empty/results.json", R"({"format": 1, "assignment": "06-rotation", "seed": 1})");

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "Error.h"
-#include "Fields.h"
 #include "Manifest.h"
 #include "batch/OverviewAssets.h"
+#include "batch/Written.h"
 #include "report/Html.h"
 
 namespace grader {
@@ -117,12 +117,15 @@ GalleryCount writeGallery(const fs::path& course, const fs::path& results, const
                     file.string());
     if (fs::exists(into) && !(fs::is_directory(into) && fs::is_empty(into)))
         throw Error("{} is there already and not an empty folder: choose another", into.string());
-    const Json document = parseJsonFile(file.string());
+    std::string assignment;
     std::set<std::string> submissions;
-    for (const Json& student : document.at("students"))
-        if (const std::string name = student.at("submission"); !name.empty())
-            submissions.insert(name);
-    const Manifest manifest = loadAssignment(course, document.at("assignment"));
+    fromWritten(file, kGradeAgain, [&](const Json& document) {
+        assignment = document.at("assignment");
+        for (const Json& student : document.at("students"))
+            if (const std::string name = student.at("submission"); !name.empty())
+                submissions.insert(name);
+    });
+    const Manifest manifest = loadAssignment(course, assignment);
     return Gallery(manifest, results / "students", into).write(submissions);
 }
 

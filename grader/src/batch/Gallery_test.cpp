@@ -77,6 +77,8 @@ TEST_F(GalleryTest, RefusesWhatIsNoBatchAndWritesOverNothing) {
     EXPECT_THAT(refusal("assignments", "gallery"), HasSubstr("results.json is not there"));
     tree_.write("full/mine.txt", "");
     EXPECT_THAT(refusal("out", "full"), HasSubstr("not an empty folder"));
+    tree_.write("damaged/results.json", R"({"assignment": "01-tiny", "students": [{}]})");
+    EXPECT_THAT(refusal("damaged", "gallery"), HasSubstr("damaged/results.json is not as"));
     fs::remove_all(tree_ / "out/students");
     EXPECT_THAT(refusal("out", "gallery"), HasSubstr("no student in"));
     EXPECT_FALSE(fs::exists(tree_ / "gallery"));

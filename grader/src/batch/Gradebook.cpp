@@ -4,9 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <regex>
+#include <set>
 
 #include "Error.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -47,44 +48,51 @@ struct Scale {
     }
 };
 
-/// The row in which any of the columns holds any of the keys; nothing when none or several do.
-std::optional<std::size_t> rowWith(const CsvTable& table, const std::vector<std::string>& columns,
-                                   const std::vector<std::string>& keys) {
-    std::optional<std::size_t> found;
+/// The rows in which any of the columns holds any of the keys.
+std::set<std::size_t> rowsWith(const CsvTable& table, const std::vector<std::string>& columns,
+                               const std::vector<std::string>& keys) {
+    std::set<std::size_t> found;
     for (std::size_t row = 0; row < table.rows(); ++row)
         for (const std::string& column : columns)
             for (const std::string& key : keys)
-                if (sameText(table.cell(row, column), key)) {
-                    if (found && *found != row)
-                        return std::nullopt;
-                    found = row;
-                }
+                if (sameText(table.cell(row, column), key))
+                    found.insert(row);
     return found;
+}
+
+/// As a spreadsheet counts rows, where the first one names the columns.
+std::size_t numberOf(std::size_t row) {
+    return row + 2;
 }
 
 std::string nameOf(const Line& line) {
     return line.name.empty() ? line.id : line.name + " (" + line.id + ")";
 }
 
-/// The row of each line, by `find`; none for lines that are nowhere, nor for those that share one:
-/// nobody knows whose it is.
+/// The row of each line, by `find`; none for lines that are nowhere, nor for those that fit several
+/// rows or share one: nobody knows whose it is.
 template <class Find>
 std::vector<std::optional<std::size_t>> rowsOf(const std::vector<Line>& lines, const char* nowhere,
                                                std::vector<std::string>& remarks, Find find) {
     std::vector<std::optional<std::size_t>> rows;
     std::map<std::size_t, std::size_t> claims;
     for (const Line& line : lines) {
-        rows.push_back(find(line));
-        if (rows.back())
-            ++claims[*rows.back()];
-        else
+        const std::set<std::size_t> found = find(line);
+        rows.emplace_back();
+        if (found.size() == 1)
+            ++claims[rows.back().emplace(*found.begin())];
+        else if (found.empty())
             remarks.push_back(nameOf(line) + nowhere);
+        else
+            remarks.push_back(
+                fmt::format("{} fits several rows, {} and {}: they are left as they are",
+                            nameOf(line), numberOf(*found.begin()), numberOf(*found.rbegin())));
     }
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (rows[i] && claims[*rows[i]] > 1) {
             remarks.push_back(
                 fmt::format("{} fits row {}, and so does another: it is left as it is",
-                            nameOf(lines[i]), *rows[i] + 2));
+                            nameOf(lines[i]), numberOf(*rows[i])));
             rows[i].reset();
         }
     return rows;
@@ -116,7 +124,7 @@ Filled fillCanvas(CsvTable table, const std::string& name, const std::vector<Lin
             possible = pointsIn(table.cell(row, column), "Points Possible");
     Scale scale{"Canvas", filled.remarks};
     const auto rows = rowsOf(lines, " is not in the gradebook", filled.remarks, [&](const Line& l) {
-        return rowWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {l.id, l.email});
+        return rowsWith(table, {"ID", "SIS User ID", "SIS Login ID"}, {l.id, l.email});
     });
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (rows[i]) {
@@ -134,9 +142,9 @@ Filled fillMoodle(CsvTable table, const std::vector<Line>& lines) {
     Filled filled;
     Scale scale{"Moodle", filled.remarks};
     const auto rows = rowsOf(lines, " is not in the worksheet", filled.remarks, [&](const Line& l) {
-        const auto row = rowWith(table, {"Identifier", "Email address", "ID number"},
-                                 {"Participant " + l.id, l.id, l.email});
-        return row ? row : rowWith(table, {"Full name"}, {l.name});
+        const auto found = rowsWith(table, {"Identifier", "Email address", "ID number"},
+                                    {"Participant " + l.id, l.id, l.email});
+        return found.empty() ? rowsWith(table, {"Full name"}, {l.name}) : found;
     });
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!rows[i])

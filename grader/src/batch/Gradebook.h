@@ -1,7 +1,6 @@
 #pragma once
 
 #include "batch/Csv.h"
-#include "formats/Formats.h"
 
 namespace grader {
 

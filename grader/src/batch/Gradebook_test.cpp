@@ -61,6 +61,14 @@ TEST(FillCanvas, ARowThatTwoFitIsLeftAsItIs) {
                 ElementsAre(HasSubstr("X (222) fits row"), HasSubstr("Y (u2) fits")));
 }
 
+TEST(FillCanvas, AStudentWhoFitsSeveralRowsIsNotSaidToBeMissing) {
+    const std::vector<Line> one = {{"12345", "X", "jo@x.edu", 10, 100, ""}};
+    const Filled filled = fillCanvas(CsvTable::parse(kCanvas, "g.csv"), "07-camera", one);
+    EXPECT_EQ(filled.text, kCanvas);
+    EXPECT_THAT(filled.remarks,
+                ElementsAre("X (12345) fits several rows, 3 and 4: they are left as they are"));
+}
+
 TEST(FillCanvas, AColumnThatIsNotClearIsRefused) {
     try {
         fillCanvas(CsvTable::parse(kCanvas, "g.csv"), "e", kLines);
@@ -93,7 +101,8 @@ TEST(FillMoodle, ANameThatTwoHaveIsNobodys) {
     const std::string text = "Identifier,Full name,Grade\nParticipant 1,Zed,\nParticipant 2,Zed,\n";
     const Filled filled = fillMoodle(CsvTable::parse(text, "w.csv"), {kLines[2]});
     EXPECT_EQ(filled.text, text);
-    EXPECT_THAT(filled.remarks, ElementsAre("Zed (999) is not in the worksheet"));
+    EXPECT_THAT(filled.remarks,
+                ElementsAre("Zed (999) fits several rows, 2 and 3: they are left as they are"));
 }
 
 }  // namespace

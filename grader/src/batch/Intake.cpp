@@ -7,6 +7,7 @@
 #include "Error.h"
 #include "batch/Csv.h"
 #include "batch/Platforms.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -92,9 +93,15 @@ Unpacked layOut(const Toolchain& tools, const Sandbox& sandbox, const Job& job,
             return unpackClone(tools, sandbox, job, entrant.path, known);
         case EntrantKind::looseFiles: {
             const fs::path folder = job.work.path() / "submission";
+            makeClosedFolder(folder);
             for (const LooseFile& each : entrant.files) {
                 fs::create_directories((folder / each.name).parent_path());
-                fs::copy_file(each.path, folder / each.name);
+                std::error_code failed;
+                fs::copy_file(each.path, folder / each.name, failed);
+                if (failed == std::errc::permission_denied)
+                    return {{}, kUnreadable, ""};
+                if (failed)
+                    throw Error("{} cannot be read: {}", each.path.string(), failed.message());
             }
             return {folder, "", ""};
         }
@@ -116,11 +123,15 @@ Intake takeIn(const fs::path& submissions, const Manifest& manifest,
     const auto byName = [](const Entrant& a, const Entrant& b) { return a.name < b.name; };
     std::sort(intake.entrants.begin(), intake.entrants.end(), byName);
     std::sort(intake.ignored.begin(), intake.ignored.end());
+    const auto placeOf = [&](const Entrant& each) {
+        const fs::path& path = each.files.empty() ? each.path : each.files.front().path;
+        return harmless(path.lexically_relative(submissions).string());
+    };
     for (std::size_t i = 1; i < intake.entrants.size(); ++i)
         if (intake.entrants[i].name == intake.entrants[i - 1].name)
             throw Error("{} is there twice, as {} and as {}: take one away",
-                        intake.entrants[i].name, intake.entrants[i - 1].path.filename().string(),
-                        intake.entrants[i].path.filename().string());
+                        harmless(intake.entrants[i].name), placeOf(intake.entrants[i - 1]),
+                        placeOf(intake.entrants[i]));
     if (intake.entrants.empty())
         throw Error("{} holds no submission: expected a folder or an archive for each student",
                     submissions.string());

@@ -12,11 +12,18 @@ namespace grader {
 
 namespace {
 
-/// What is larger than may be taken is told by its size alone.
+/// What is larger than may be taken is told by its size alone; what cannot be read is refused
+/// later.
 std::string hashUpTo(std::uintmax_t most, const fs::path& file) {
     std::error_code none;
     const auto size = fs::file_size(file, none);
-    return !none && size > most ? fmt::format("{} bytes", size) : sha256(readFile(file));
+    if (!none && size > most)
+        return fmt::format("{} bytes", size);
+    try {
+        return sha256(readFile(file));
+    } catch (const Error&) {
+        return "unreadable";
+    }
 }
 
 std::string hashOfFolder(const fs::path& folder) {
@@ -154,7 +161,7 @@ std::string textOf(const fs::path& root, const Manifest& manifest, const Entrant
     for (const StagedFile& file : collect(root, manifest, submission).stage.files)
         if (file.role != Role::provided)
             text += textOf(file);
-    return text + namesIn(submission, submission.folderFor(manifest.id, manifest.id));
+    return text + namesIn(submission, submission.folderFor(manifest.id));
 }
 
 }  // namespace

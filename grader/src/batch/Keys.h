@@ -23,7 +23,7 @@ struct Key {
 Key keyOfRules(const Grader& grader, const Sandbox& sandbox, const Manifest& manifest,
                std::uint64_t seed);
 
-/// A submission under those rules. Throws Error when it cannot be read.
+/// A submission under those rules. What of it cannot be read counts as such.
 Key keyOf(const Key& rules, const fs::path& root, const Manifest& manifest, const Entrant& entrant,
           const std::vector<std::string>& known);
 

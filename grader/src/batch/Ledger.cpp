@@ -7,8 +7,6 @@
 
 #include <sstream>
 
-#include "Collect.h"
-
 namespace grader {
 
 std::optional<Ledger::Known> Ledger::known(const std::string& entrant, const Key& key) const {

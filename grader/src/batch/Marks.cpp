@@ -1,21 +1,15 @@
 #include "batch/Marks.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grader {
 
 namespace {
 
-double rounded(double points) {
-    return std::round(points * 1e6) / 1e6;
-}
-
 /// Without decisions and lateness.
 Mark markFrom(const Manifest& manifest, const Participant& participant, const Standing* standing) {
     Mark mark;
     mark.student = participant.student;
-    mark.inRoster = participant.inRoster;
     mark.sentence = participant.problem;
     mark.status = participant.problem.empty() ? "missing" : "unclear";
     std::map<std::string, double> points;

@@ -16,7 +16,6 @@ struct TaskMark {
 /// What one student gets, and why.
 struct Mark {
     Student student;
-    bool inRoster = false;
     std::string submission;  ///< the entrant that counts; empty when there is none
     std::string status;      ///< of its Standing; "missing" or "unclear" without one; "decided"
                              ///< where only people gave points

@@ -1,9 +1,11 @@
 #include "batch/Merge.h"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "Error.h"
+#include "batch/Written.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -20,7 +22,7 @@ void requireSame(const Mark& a, const Mark& b, const fs::path& part) {
         throw Error(
             "{}: {} has {} with {:g} points here, and {} with {:g} points in another part: grade "
             "it again with --fresh in one of them",
-            part.string(), a.student.id, a.status, a.points, b.status, b.points);
+            part.string(), harmless(a.student.id), a.status, a.points, b.status, b.points);
 }
 
 class Merging {
@@ -30,14 +32,15 @@ public:
         if (!fs::exists(file))
             throw Error("{} is not there: was ./grade batch --out {} run to its end?",
                         file.string(), part.string());
-        const Json document = parseJsonFile(file.string());
-        agree(document, part);
-        for (const Json& each : document.at("class"))
-            class_.insert(each.get<std::string>());
-        for (const Json& each : document.at("not_taken"))
-            notTaken_.insert(each.get<std::string>());
-        for (const Json& each : document.at("students"))
-            take(markFrom(each), part);
+        fromWritten(file, kGradeAgain, [&](const Json& document) {
+            agree(document, part);
+            for (const Json& each : document.at("class"))
+                class_.insert(each.get<std::string>());
+            for (const Json& each : document.at("not_taken"))
+                notTaken_.insert(each.get<std::string>());
+            for (const Json& each : document.at("students"))
+                take(markFrom(each), part);
+        });
     }
 
     Merged merged() {
@@ -89,7 +92,7 @@ private:
         if (!mark.submission.empty()) {
             merged_.parts[mark.submission] = part;
             if (fs::exists(result))
-                mark.result = essenceOf(parseJsonFile(result.string()));
+                mark.result = fromWritten(result, kGradeAgain, essenceOf);
         }
         marks_[mark.student.id] = std::move(mark);
     }

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace grader;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -85,6 +86,18 @@ TEST_F(MergeTest, WhatDoesNotAgreeIsRefused) {
     EXPECT_THAT(complaintAbout({one, tree_ / "three"}), HasSubstr("results.json is not there"));
     EXPECT_EQ(complaintAbout({one, part("two", {mark("ann", -1)})}), "")
         << "a part that has not seen the submission knows less";
+}
+
+TEST_F(MergeTest, WhatIsNotWholeIsNamed) {
+    tree_.write("three/results.json", R"({"assignment": "06-rotation"})");
+    EXPECT_THAT(complaintAbout({tree_ / "three"}),
+                AllOf(HasSubstr("three/results.json is not as ./grade batch wrote it"),
+                      HasSubstr("'seed'"), HasSubstr("run the same ./grade batch again")));
+    tree_.write("three/results.json", R"({"assignment": "06-)");
+    EXPECT_THAT(complaintAbout({tree_ / "three"}), HasSubstr("three/results.json is not as"));
+    const fs::path four = part("four", {mark("ann", 50)});
+    tree_.write("four/students/ann-work/result.json", R"({"tasks": [{}]})");
+    EXPECT_THAT(complaintAbout({four}), HasSubstr("ann-work/result.json is not as"));
 }
 
 TEST_F(MergeTest, OtherMachinesAreSaid) {

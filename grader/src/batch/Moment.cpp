@@ -22,7 +22,9 @@ Moment parseMoment(const std::string& text, const std::string& where) {
     const auto number = [&](int i) { return part[i].matched ? std::stoi(part[i].str()) : 0; };
     const year_month_day date{year(number(1)), month(static_cast<unsigned>(number(2))),
                               day(static_cast<unsigned>(number(3)))};
-    if (!date.ok() || number(4) > 23 || number(5) > 59 || number(6) > 60)
+    constexpr int kFarthest = 14;  // hours from UTC, on an island of Kiribati
+    if (!date.ok() || number(4) > 23 || number(5) > 59 || number(6) > 60 || number(9) > kFarthest ||
+        number(10) > 59)
         throw Error("{}: there is no such time as \"{}\"", where, text);
     const auto offset = (hours(number(9)) + minutes(number(10))) * (part[8] == "-" ? -1 : 1);
     return sys_days(date) + hours(number(4)) + minutes(number(5)) + seconds(number(6)) - offset;

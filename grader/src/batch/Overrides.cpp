@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "batch/Csv.h"
+#include "batch/Written.h"
 
 namespace grader {
 
@@ -51,7 +52,9 @@ Overrides::Overrides(const fs::path& file, fs::path memory, const Manifest& mani
         decisions_.push_back(std::move(decision));
     }
     if (fs::exists(memory_))
-        before_ = parseJsonFile(memory_.string()).get<std::map<std::string, double>>();
+        before_ =
+            fromWritten(memory_, "move it away, and every decision counts as one of today",
+                        [](const Json& json) { return json.get<std::map<std::string, double>>(); });
 }
 
 const Override* Overrides::find(const std::string& student, const std::string& task) const {

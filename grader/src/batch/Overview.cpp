@@ -1,7 +1,5 @@
 #include "batch/Overview.h"
 
-#include <set>
-
 #include "batch/Csv.h"
 
 namespace grader {

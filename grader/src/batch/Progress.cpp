@@ -5,6 +5,8 @@
 
 #include <iostream>
 
+#include "report/PlainText.h"
+
 namespace grader {
 
 Progress::Progress(std::size_t all, bool quiet)
@@ -22,7 +24,7 @@ void Progress::count(const std::string& what, bool failed, bool fromBefore) {
     if (changing_)
         std::cerr << "\r\033[K" << line() << std::flush;
     else
-        std::cerr << fmt::format("{}/{} {}\n", done_, all_, what) << std::flush;
+        std::cerr << fmt::format("{}/{} {}\n", done_, all_, harmless(what)) << std::flush;
 }
 
 void Progress::end() {

@@ -12,13 +12,6 @@ double shareOf(double points, double maxPoints) {
     return maxPoints > 0 ? points / maxPoints : 0;
 }
 
-/// A test has an equal share of what the frames leave of its task, and earns all of it or nothing.
-void countTest(CheckResult& check, const Manifest& manifest, std::ptrdiff_t tests) {
-    const Task& task = *manifest.task(check.task);
-    check.maxPoints = (task.points - manifest.framePoints(task.id)) / static_cast<double>(tests);
-    check.points = check.full() ? check.maxPoints : 0;
-}
-
 void countFrame(CheckResult& check, const CheckResult& now) {
     const double share = shareOf(check.points, check.maxPoints);
     check.title = now.title;

@@ -6,6 +6,7 @@
 
 #include "Error.h"
 #include "batch/Csv.h"
+#include "report/PlainText.h"
 
 namespace grader {
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "Tokens.h"
+#include "subject/Evidence.h"
 
 namespace grader {
 
@@ -23,15 +24,6 @@ const std::set<std::string> kKept = {
 /// A word of the language is of its own kind, every other name is one like another.
 std::string kindOf(const Token& token) {
     return kKept.contains(token.word) ? token.word : token.kind;
-}
-
-constexpr std::uint64_t kPrime = 1099511628211ull, kBasis = 14695981039346656037ull;
-
-/// FNV-1a, the same on every machine.
-std::uint64_t hashOf(std::uint64_t hash, const std::string& word) {
-    for (const char c : word)
-        hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
-    return (hash ^ 0xff) * kPrime;
 }
 
 /// Who has which fingerprint. What many have is how the thing is written, and nobody's.
@@ -103,21 +95,14 @@ std::vector<std::string> tokensOf(const std::string& text) {
     return kinds;
 }
 
-std::string wordsOf(const std::string& text) {
-    std::string words;
-    for (const Token& each : tokensIn(text))
-        words += each.word + " ";
-    return words;
-}
-
 Fingerprints fingerprintsOf(const std::string& text) {
     const auto tokens = tokensOf(text);
     std::vector<std::uint64_t> runs;
     for (std::size_t i = 0; i + kRunTokens <= tokens.size(); ++i) {
-        std::uint64_t hash = kBasis;
+        std::string run;
         for (std::size_t k = 0; k < kRunTokens; ++k)
-            hash = hashOf(hash, tokens[i + k]);
-        runs.push_back(hash);
+            run += tokens[i + k] + '\xff';
+        runs.push_back(judge::hashOf(run));  // the same in every year's prints
     }
     Fingerprints kept;
     for (std::size_t i = 0; i + kWindow <= runs.size(); ++i)

@@ -26,9 +26,6 @@ Fingerprints without(const Fingerprints& first, const Fingerprints& second);
 /// The kinds of the tokens of a text in C++ or GLSL: "if", "(", "NAME", "NUMBER", …
 std::vector<std::string> tokensOf(const std::string& text);
 
-/// A text without comments and layout.
-std::string wordsOf(const std::string& text);
-
 /// A submission to be compared.
 struct Print {
     std::string name;

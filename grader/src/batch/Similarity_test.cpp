@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "Tokens.h"
+
 namespace {
 
 using namespace grader;
@@ -81,6 +83,10 @@ TEST(Fingerprints, AnythingSharedThatIsLongEnoughIsFound) {
     const auto two = fingerprintsOf("while (z < 4) { ++z; q(z, z); } " + shared + " break;");
     EXPECT_LT(without(one, two).size(), one.size());
     EXPECT_EQ(joined(one, two).size(), without(one, two).size() + two.size());
+}
+
+TEST(Fingerprints, AreThoseOfEarlierYears) {
+    EXPECT_THAT(fingerprintsOf(std::string(kSureTokens, ';')), ElementsAre(17313449628622483053u));
 }
 
 TEST(NearlyIdentical, WhatTheWholeClassWritesIsNotCounted) {

@@ -12,12 +12,14 @@
 #include <thread>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "batch/Batch.h"
 #include "batch/Earlier.h"
 #include "batch/Marks.h"
 #include "batch/Overview.h"
 #include "batch/Progress.h"
-#include "commands/GradeCommand.h"
+#include "batch/Written.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -28,13 +30,12 @@ struct Shard {
     std::size_t index = 1, count = 1;
 
     explicit Shard(const std::string& text = "1/1") {
-        const std::string complaint =
-            "--shard " + text + ": expected a part of a whole like 2/8, counted from 1";
         std::istringstream in(text);
         char slash = 0;
-        if (!(in >> index >> slash >> count) || slash != '/' || !in.eof() || index < 1 ||
-            index > count)
-            throw Error("{}", complaint);
+        const bool signless = text.find_first_not_of("0123456789/") == std::string::npos;
+        if (!signless || !(in >> index >> slash >> count) || slash != '/' || !in.eof() ||
+            index < 1 || index > count)
+            throw Error("--shard {}: expected a part of a whole like 2/8, counted from 1", text);
     }
     bool holds(std::size_t which) const { return which % count == index - 1; }
 };
@@ -67,11 +68,16 @@ void stopWhenAsked() {
 std::uint64_t seedFor(const Options& options, const Toolchain& tools, const fs::path& file) {
     std::optional<std::uint64_t> kept;
     if (fs::exists(file)) {
-        const Json json = parseJsonFile(file.string());
-        if (json.at("assignment") != options.assignment)
+        const auto [assignment, seed] =
+            fromWritten(file, "give the --seed of then and move it away, or choose another --out",
+                        [](const Json& json) {
+                            return std::pair{json.at("assignment").get<std::string>(),
+                                             json.at("seed").get<std::uint64_t>()};
+                        });
+        if (assignment != options.assignment)
             throw Error("{} holds results of {}, not of {}: choose another --out", options.out,
-                        json.at("assignment").get<std::string>(), options.assignment);
-        kept = json.at("seed").get<std::uint64_t>();
+                        assignment, options.assignment);
+        kept = seed;
     }
     std::uint64_t seed = kPublishedSeed;
     if (options.seed || kept)
@@ -197,6 +203,12 @@ int sayHowItEnded(const Graded& graded, std::size_t entrants) {
     return faults || left ? kGraderFailed : kFullMarks;
 }
 
+void sayWhereToLook(const std::vector<std::string>& leftOut, const fs::path& out) {
+    for (const std::string& each : leftOut)
+        std::cout << "Look at: " << harmless(each) << "\n";
+    std::cout << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
+}
+
 /// Pictures come and go for thousands of submissions. Each goes back to the system at its end, in
 /// place of leaving a hole in the heap of whichever thread had it.
 void keepPicturesOffTheHeap() {
@@ -209,7 +221,9 @@ int runBatch(const Options& options) {
     const Toolchain tools = Toolchain::load();
     const Manifest manifest = loadAssignment(tools.root, options.assignment);
     const auto sandbox =
-        chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = true});
+        chooseSandbox(tools.confine(), {.none = options.noSandbox,
+                                        .strangers = true,
+                                        .secrets = {tools.root, options.submissions, options.out}});
     const fs::path out = options.out;
     const std::vector<Print> earlier = earlierPrints(options.compareWith, options.assignment);
     removeAbandonedWork();
@@ -253,9 +267,7 @@ int runBatch(const Options& options) {
                   out);
 
     const int exitCode = sayHowItEnded(graded, entrants.size());
-    for (const std::string& each : leftOut)
-        std::cout << "Look at: " << each << "\n";
-    std::cout << "Overview: " << fs::absolute(out / "index.html").string() << "\n";
+    sayWhereToLook(leftOut, out);
     if (graded.someoneWasLeftBehind) {
         // A thread that hangs still holds on to all this, so nothing may be taken apart.
         std::cout.flush();

@@ -5,11 +5,12 @@
 #include <optional>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "commands/CourseCommands.h"
-#include "commands/GradeCommand.h"
 #include "course/CheckReferences.h"
 #include "course/CheckRuns.h"
 #include "course/CheckTexts.h"
+#include "course/NewAssignment.h"
 
 namespace grader {
 
@@ -57,6 +58,7 @@ void addCheckCourseCommand(CLI::App& app, int& exitCode) {
                       "draw every program with another driver, too: it must be worth the same");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
+        requireSolutions(tools.root);
         const auto sandbox = chooseSandbox(tools.confine());
         const Grader grader(tools, *sandbox);
         Findings ofTheCourse;

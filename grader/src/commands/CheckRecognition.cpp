@@ -9,11 +9,12 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Grade.h"
 #include "Mistakes.h"
 #include "commands/CourseCommands.h"
-#include "commands/GradeCommand.h"
 #include "course/Findings.h"
+#include "course/NewAssignment.h"
 
 namespace grader {
 
@@ -184,6 +185,7 @@ void addCheckRecognitionCommand(CLI::App& app, int& exitCode) {
     command->add_option("--only", options.only, "only mistakes whose id holds this text");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
+        requireSolutions(tools.root);
         const auto sandbox = chooseSandbox(tools.confine());
         const Grader grader(tools, *sandbox);
         int findings = 0;

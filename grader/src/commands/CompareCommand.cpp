@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Fields.h"
 #include "ImageModule.h"
-#include "commands/GradeCommand.h"
 #include "compare/FrameScore.h"
 
 namespace grader {

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "commands/GradeCommand.h"
+#include "ExitCode.h"
 #include "doctor/Doctor.h"
 
 namespace grader {

@@ -7,9 +7,13 @@
 #include <map>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "batch/Gradebook.h"
+#include "batch/Marks.h"
 #include "batch/Moment.h"
-#include "commands/GradeCommand.h"
+#include "batch/Written.h"
+#include "formats/Formats.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -20,77 +24,76 @@ struct Options {
 };
 
 /// The first task that waits for a person; empty when none does.
-std::string pendingIn(const Json& student) {
-    for (const Json& task : student.at("tasks"))
-        if (task.value("pending", false))
-            return task.at("id");
+std::string pendingIn(const Mark& mark) {
+    for (const TaskMark& task : mark.tasks)
+        if (task.pending)
+            return task.id;
     return "";
 }
 
 /// What `grade batch` wrote, read back.
-struct Batch {
+struct WrittenBatch {
     fs::path folder;
     std::string assignment;
-    std::vector<Json> students;                   ///< that have a mark
+    std::vector<Mark> students;                   ///< that have a mark
     std::map<std::string, std::string> unmarked;  ///< the others, with a sentence on the reason
 
-    explicit Batch(const fs::path& from) : folder(from) {
+    explicit WrittenBatch(const fs::path& from) : folder(from) {
         const fs::path file = folder / "results.json";
         if (!fs::exists(file))
             throw Error("{} is not there: give the folder that ./grade batch --out wrote",
                         file.string());
-        const Json document = parseJsonFile(file.string());
-        assignment = document.at("assignment");
-        for (const Json& each : document.at("students")) {
-            const std::string status = each.at("status"), student = each.at("student");
-            const std::string pending = pendingIn(each);
-            if (!pending.empty())
-                unmarked[student] = fmt::format(
-                    "{} has no mark yet: {} is pending, give its points in a table of --overrides",
-                    student, pending);
-            else if (each.at("sentence") == "" && status != "missing")
-                students.push_back(each);
-            else
-                unmarked[student] = fmt::format("{} has no mark ({})", student, status);
-        }
+        fromWritten(file, kGradeAgain, [&](const Json& document) {
+            assignment = document.at("assignment");
+            for (const Json& each : document.at("students"))
+                take(markFrom(each));
+        });
+    }
+
+private:
+    void take(Mark mark) {
+        const std::string& student = mark.student.id;
+        if (const std::string pending = pendingIn(mark); !pending.empty())
+            unmarked[student] = fmt::format(
+                "{} has no mark yet: {} is pending, give its points in a table of --overrides",
+                student, pending);
+        else if (mark.sentence.empty() && mark.status != "missing")
+            students.push_back(std::move(mark));
+        else
+            unmarked[student] = fmt::format("{} has no mark ({})", student, mark.status);
     }
 };
 
 /// A student whose points are decisions alone has no result document: nothing was handed in, or it
 /// could not be graded.
-Scored scoredOf(const Batch& batch, const Json& student) {
-    const std::string submission = student.at("submission");
-    const fs::path home = batch.folder / "students" / submission, result = home / "result.json";
-    const bool graded = !submission.empty() && fs::exists(result);
+Scored scoredOf(const WrittenBatch& batch, const Mark& mark) {
+    const fs::path home = batch.folder / "students" / mark.submission,
+                   result = home / "result.json";
+    const bool graded = !mark.submission.empty() && fs::exists(result);
     std::map<std::string, double> tasks;
-    for (const Json& task : student.at("tasks"))
-        tasks[task.at("id")] = task.at("points");
-    return {student.at("student"),
-            student.at("points"),
-            student.at("max_points"),
-            std::move(tasks),
-            student.at("remarks"),
-            graded ? parseJsonFile(result.string()) : Json{{"assignment", batch.assignment}},
+    for (const TaskMark& task : mark.tasks)
+        tasks[task.id] = task.points;
+    return {mark.student.id, mark.points,
+            mark.maxPoints,  std::move(tasks),
+            mark.remarks(),  graded ? resultIn(result) : Json{{"assignment", batch.assignment}},
             home / "report"};
 }
 
 /// What each task earned, and what people and the deadline did.
-std::string feedbackFor(const Json& student) {
+std::string feedbackFor(const Mark& mark) {
     std::vector<std::string> lines;
-    for (const Json& task : student.at("tasks"))
-        lines.push_back(fmt::format("{}: {:g} of {:g}", task.at("id").get<std::string>(),
-                                    task.at("points").get<double>(),
-                                    task.at("max_points").get<double>()));
-    for (const Json& each : student.at("remarks"))
-        lines.push_back(each);
+    for (const TaskMark& task : mark.tasks)
+        lines.push_back(fmt::format("{}: {:g} of {:g}", task.id, task.points, task.maxPoints));
+    for (std::string& each : mark.remarks())
+        lines.push_back(std::move(each));
     return fmt::format("{}", fmt::join(lines, "; "));
 }
 
-std::vector<Line> linesOf(const Batch& batch) {
+std::vector<Line> linesOf(const WrittenBatch& batch) {
     std::vector<Line> lines;
-    for (const Json& each : batch.students)
-        lines.push_back({each.at("student"), each.at("name"), each.at("email"), each.at("points"),
-                         each.at("max_points"), feedbackFor(each)});
+    for (const Mark& each : batch.students)
+        lines.push_back({each.student.id, each.student.name, each.student.email, each.points,
+                         each.maxPoints, feedbackFor(each)});
     return lines;
 }
 
@@ -104,7 +107,7 @@ std::string tableOf(const std::vector<Line>& lines) {
 
 void say(const std::vector<std::string>& sentences) {
     for (const std::string& each : sentences)
-        std::cout << "Look at: " << each << "\n";
+        std::cout << "Look at: " << harmless(each) << "\n";
 }
 
 void written(const fs::path& file, std::size_t marks) {
@@ -113,7 +116,7 @@ void written(const fs::path& file, std::size_t marks) {
 }
 
 /// A table of the platform's, filled in.
-void fill(const Options& options, const Batch& batch, const fs::path& file) {
+void fill(const Options& options, const WrittenBatch& batch, const fs::path& file) {
     if (options.into.empty())
         throw Error("--to {} fills in a file that the platform exported: name it with --into",
                     options.to);
@@ -128,30 +131,29 @@ void fill(const Options& options, const Batch& batch, const fs::path& file) {
 }
 
 /// A file for each student.
-void writeEach(const Batch& batch, const fs::path& out, const std::string& ending,
+void writeEach(const WrittenBatch& batch, const fs::path& out, const std::string& ending,
                const std::function<std::string(const Scored&)>& format) {
     const auto fileOf = [&](std::string student) {
         std::replace(student.begin(), student.end(), '/', '_');
         return out / (student + ending);
     };
     std::map<fs::path, std::string> owners;
-    for (const Json& each : batch.students)
-        if (const auto [other, isNew] =
-                owners.emplace(fileOf(each.at("student")), each.at("student"));
+    for (const Mark& each : batch.students)
+        if (const auto [other, isNew] = owners.emplace(fileOf(each.student.id), each.student.id);
             !isNew)
             throw Error("{} would be the file of two students, {} and {}: export another form",
-                        other->first.string(), other->second,
-                        each.at("student").get<std::string>());
+                        harmless(other->first.string()), harmless(other->second),
+                        harmless(each.student.id));
     for (const auto& [student, reason] : batch.unmarked)
         if (!owners.contains(fileOf(student)))
             fs::remove(fileOf(student));  // of an earlier export
-    for (const Json& each : batch.students)
-        writeFile(fileOf(each.at("student")), format(scoredOf(batch, each)));
+    for (const Mark& each : batch.students)
+        writeFile(fileOf(each.student.id), format(scoredOf(batch, each)));
     written(out, batch.students.size());
 }
 
 void exportBatch(const Options& options) {
-    const Batch batch(options.folder);
+    const WrittenBatch batch(options.folder);
     const auto target = [&](const std::string& name) {
         return options.output.empty() ? batch.folder / "export" / name : fs::path(options.output);
     };
@@ -171,7 +173,7 @@ void exportBatch(const Options& options) {
         writeEach(batch, target("autolab"), ".txt", autolabLine);
     } else if (options.to == "junit") {
         std::vector<Scored> all;
-        for (const Json& each : batch.students)
+        for (const Mark& each : batch.students)
             all.push_back(scoredOf(batch, each));
         writeFile(target("junit.xml"), junitXml(batch.assignment, all));
         written(target("junit.xml"), all.size());

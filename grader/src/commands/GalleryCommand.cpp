@@ -2,10 +2,10 @@
 
 #include <iostream>
 
+#include "ExitCode.h"
 #include "Toolchain.h"
 #include "batch/Gallery.h"
 #include "commands/ClassCommands.h"
-#include "commands/GradeCommand.h"
 
 namespace grader {
 

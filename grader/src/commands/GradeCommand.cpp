@@ -3,13 +3,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "Archive.h"
 #include "Browser.h"
 #include "Error.h"
+#include "ExitCode.h"
 #include "Grade.h"
 #include "Process.h"
 #include "harness/Harness.h"
@@ -49,6 +53,10 @@ fs::path folderOf(const Toolchain& tools, const Sandbox& sandbox, const fs::path
         return named;
     if (!fs::is_regular_file(named))
         throw Error("--submission {}: there is no such folder or archive", named.string());
+    static const std::set<std::string> sources = {".cpp", ".h", ".hpp", ".inl", ".vert", ".frag"};
+    if (sources.contains(named.extension().string()))
+        throw Error("--submission {}: expected a folder or an archive; put the file into a folder",
+                    named.string());
     selection.unpacking = std::make_unique<Job>();
     const Unpacked unpacked =
         unpackArchive(tools, sandbox, *selection.unpacking, named, knownAssignments(tools.root));
@@ -111,6 +119,34 @@ void showInBrowser(const fs::path& page) {
                   << page.string() << "\n";
 }
 
+/// A word as a shell takes it for this one.
+std::string shellWord(const std::string& word) {
+    const bool plain =
+        !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char each) {
+            return std::isalnum(each) || std::strchr("_-+=.,/:@%", each);
+        });
+    if (plain)
+        return word;
+    std::string quoted = "'";
+    for (const char each : word)
+        quoted += each == '\'' ? "'\\''" : std::string(1, each);
+    return quoted + "'";
+}
+
+/// The command that shows in the browser what these options graded.
+std::string commandWithPictures(const Options& options) {
+    std::string command = "./grade --open";
+    for (const std::string& each : options.assignments)
+        command += " " + shellWord(each);
+    if (!options.submission.empty())
+        command += " --submission " + shellWord(options.submission);
+    if (options.seed != Options().seed)
+        command += fmt::format(" --seed {}", options.seed);
+    if (options.context != Options().context)
+        command += " --context " + options.context;
+    return command;
+}
+
 int exitCodeOf(const std::vector<AssignmentResult>& results) {
     const auto any = [&](auto&& predicate) {
         return std::any_of(results.begin(), results.end(), predicate);
@@ -130,6 +166,7 @@ int gradeThere(const Options& options) {
                                           .seed = options.seed,
                                           .context = options.context,
                                           .noSandbox = options.noSandbox});
+    removeAbandonedWork();
     return marked ? kFullMarks : kGraderFailed;
 }
 
@@ -152,8 +189,10 @@ int watchAll(const Toolchain& tools, const Sandbox& sandbox, const Options& opti
 
 int gradeAll(const Options& options) {
     const Toolchain tools = Toolchain::load();
-    const auto sandbox =
-        chooseSandbox(tools.confine(), {.none = options.noSandbox, .strangers = runsInCi()});
+    removeAbandonedWork();
+    const auto sandbox = chooseSandbox(
+        tools.confine(),
+        {.none = options.noSandbox, .strangers = runsInCi(), .secrets = {tools.root}});
     const Selection selection = select(tools, *sandbox, options);
     if (options.watch)
         return watchAll(tools, *sandbox, options, selection);
@@ -183,9 +222,7 @@ int gradeAll(const Options& options) {
         if (!quiet)
             std::cout << "Report: " << fs::absolute(report / "index.html").string() << "\n";
     } else if (!quiet && exitCode != kFullMarks) {
-        std::cout << "Pictures: ./grade --open"
-                  << (options.assignments.size() == 1 ? " " + options.assignments.front() : "")
-                  << "\n";
+        std::cout << "Pictures: " << commandWithPictures(options) << "\n";
     }
     if (options.json == "-")
         std::cout << toJson(results);
@@ -240,8 +277,7 @@ void addGradeCommand(CLI::App& app, int& exitCode) {
     command
         ->add_option("--harness", options.harness,
                      "grade on the machine of this learning platform: take the submission and "
-                     "leave the result where it wants them (docs/platforms.md); exit code 0 once "
-                     "there is a mark")
+                     "leave the result where it wants them; exit code 0 once there is a mark")
         ->check(CLI::IsMember(platformNames()))
         ->excludes("--submission", "--json", "--report", "--open", "--images", "--watch");
     command->callback([&exitCode] {

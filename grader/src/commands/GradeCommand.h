@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ExitCode.h"
-
 namespace grader {
 
 /// `grader grade [ASSIGNMENT…]`: adds the command to `app`; `exitCode` is set when it has run.

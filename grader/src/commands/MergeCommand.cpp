@@ -1,11 +1,11 @@
 #include <iostream>
 
-#include "Error.h"
+#include "ExitCode.h"
 #include "Toolchain.h"
 #include "batch/Earlier.h"
 #include "batch/Merge.h"
 #include "commands/ClassCommands.h"
-#include "commands/GradeCommand.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -24,9 +24,9 @@ int merge(const std::vector<std::string>& parts, const fs::path& out,
                    merged.seed, merged.environment},
                   out);
     for (const std::string& each : merged.notTaken)
-        std::cout << "Look at: " << each << "\n";
+        std::cout << "Look at: " << harmless(each) << "\n";
     for (const std::string& each : merged.missing)
-        std::cout << "Missing: " << each << " is in no part\n";
+        std::cout << "Missing: " << harmless(each) << " is in no part\n";
     std::cout << fmt::format("{} of {} students\nOverview: {}\n", merged.marks.size(),
                              merged.classIds.size(), fs::absolute(out / "index.html").string());
     return merged.missing.empty() ? kFullMarks : kGraderFailed;

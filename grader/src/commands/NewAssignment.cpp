@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "ExitCode.h"
 #include "Toolchain.h"
 #include "commands/CourseCommands.h"
-#include "commands/GradeCommand.h"
 #include "course/NewAssignment.h"
 
 namespace grader {
@@ -16,7 +16,7 @@ void addNewAssignmentCommand(CLI::App& app, int& exitCode) {
     command
         ->add_option("id", id,
                      "two digits for the chapter, then a name: 12-texture-mapping. Needs "
-                     "solutions/; docs/new-assignment.md says what comes after")
+                     "solutions/")
         ->required();
     command->callback([&exitCode] {
         makeAssignment(Toolchain::load().root, id);

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Grade.h"
-#include "commands/GradeCommand.h"
 #include "package/PlatformPackage.h"
 
 namespace grader {
@@ -54,6 +54,11 @@ void refuseUnknownChecks(const Toolchain& tools, const Manifest& manifest) {
 
 void package(const Kind& kind, const Options& options) {
     const Toolchain tools = Toolchain::load();
+    if (!fs::exists(tools.root / "grader/platforms"))
+        throw Error(
+            "there is no {}, so this is a student's copy: packages are made where the solutions "
+            "are",
+            (tools.root / "grader/platforms").string());
     const Manifest manifest = loadAssignment(tools.root, options.assignment);
     if (options.seed != kPublishedSeed && !fs::exists(tools.root / "solutions" / manifest.id))
         throw Error(
@@ -67,8 +72,6 @@ void package(const Kind& kind, const Options& options) {
                     manifest.id);
     const CourseFiles made = kind.make({course, manifest, options.seed});
     const fs::path out = options.out.empty() ? kind.out : options.out;
-    if (!out.parent_path().empty())
-        fs::create_directories(out.parent_path());
     kind.write(made, out);
     std::cout << fmt::format(
         "{} of commit {}, {} files: {}\n{}\ndocs/platforms.md says what its "

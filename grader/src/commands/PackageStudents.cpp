@@ -2,8 +2,8 @@
 
 #include <iostream>
 
+#include "ExitCode.h"
 #include "Toolchain.h"
-#include "commands/GradeCommand.h"
 #include "commands/PackageCommand.h"
 #include "package/StudentCopy.h"
 
@@ -30,6 +30,8 @@ int packageStudents(const Options& options) {
                              solved.empty() ? "no solution among them"
                                             : fmt::format("with the solutions of {} in solutions/",
                                                           fmt::join(solved, ", ")));
+    for (const std::string& each : namesOfWhatIsLeftOut(root, copy))
+        std::cout << "Look at: " << each << "\n";
     return kFullMarks;
 }
 
@@ -49,8 +51,12 @@ void addPackageStudentsCommand(CLI::App& app, int& exitCode) {
                         "the course's repository; default the one that this grader was built in");
     command->add_option("--upto", options.wish.upto,
                         "the last assignment that students have by now; default all");
-    command->add_option("--with-solutions", options.wish.withSolutions,
-                        "assignments whose solved files students get, too");
+    command
+        ->add_option("--with-solutions", options.wish.withSolutions,
+                     "an assignment whose solved files students get, too; may be said several "
+                     "times, and several may stand with commas between")
+        ->allow_extra_args(false)  // OUT may come next
+        ->delimiter(',');
     command->callback([&exitCode] { exitCode = packageStudents(options); });
 }
 

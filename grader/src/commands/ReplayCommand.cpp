@@ -1,11 +1,13 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Grade.h"
 #include "batch/Ledger.h"
 #include "batch/Replay.h"
+#include "batch/Written.h"
 #include "commands/ClassCommands.h"
-#include "commands/GradeCommand.h"
+#include "report/PlainText.h"
 
 namespace grader {
 
@@ -22,7 +24,7 @@ int replay(const fs::path& named, bool noSandbox) {
     const std::string entrant = home.filename().string();
     const Ledger ledger(home.parent_path().parent_path());
     const Json record = ledger.record(entrant);
-    const Json then = parseJsonFile(file.string());
+    const Json then = resultIn(file);
     if (!record.contains("assignment"))
         throw Error("{} has no record beside it (instructor/{}/record.json): {}", file.string(),
                     entrant,
@@ -31,7 +33,8 @@ int replay(const fs::path& named, bool noSandbox) {
                         : "only what ./grade batch wrote can be replayed");
 
     const Toolchain tools = Toolchain::load();
-    const auto sandbox = chooseSandbox(tools.confine(), {.none = noSandbox, .strangers = true});
+    const auto sandbox = chooseSandbox(
+        tools.confine(), {.none = noSandbox, .strangers = true, .secrets = {tools.root, home}});
     const Grader grader(tools, *sandbox);
     const AssignmentResult result =
         grader.grade(loadAssignment(tools.root, record.at("assignment")),
@@ -44,7 +47,7 @@ int replay(const fs::path& named, bool noSandbox) {
     const auto differences = differencesOf(then, now);
     for (const std::string& each : differences)
         std::cout << "Differs: " << each << "\n";
-    std::cout << fmt::format("{}: {:g} points then, {:g} now: the mark {}\n", entrant,
+    std::cout << fmt::format("{}: {:g} points then, {:g} now: the mark {}\n", harmless(entrant),
                              then.at("points").get<double>(), now.at("points").get<double>(),
                              differences.empty() ? "agrees" : "does not agree");
     return differences.empty() ? kFullMarks : kSomethingLost;

@@ -2,10 +2,11 @@
 
 #include <iostream>
 
+#include "ExitCode.h"
 #include "Manifest.h"
 #include "Toolchain.h"
 #include "commands/CourseCommands.h"
-#include "commands/GradeCommand.h"
+#include "course/NewAssignment.h"
 #include "course/SyncedStarter.h"
 
 namespace grader {
@@ -38,6 +39,7 @@ void addSyncStartersCommand(CLI::App& app, int& exitCode) {
     command->add_option("assignments", assignments, "default all");
     command->callback([&exitCode] {
         const Toolchain tools = Toolchain::load();
+        requireSolutions(tools.root);
         int written = 0;
         for (const std::string& id :
              assignments.empty() ? knownAssignments(tools.root) : assignments)

@@ -2,11 +2,11 @@
 #include <iostream>
 
 #include "Error.h"
+#include "ExitCode.h"
 #include "Grade.h"
 #include "ImageModule.h"
 #include "References.h"
 #include "commands/CourseCommands.h"
-#include "commands/GradeCommand.h"
 
 namespace grader {
 

@@ -75,14 +75,25 @@ void checkSolution(const Grader& grader, const Manifest& manifest, Findings& fin
             findings.add("solution: " + statusOf(check), mend);
 }
 
+/// The tasks that a variant is to lose in; none where it is right.
+std::set<std::string> lossesOf(const fs::path& variant) {
+    using Tasks = std::set<std::string>;
+    const fs::path file = variant / "loses.json";
+    if (!fs::exists(file))
+        return {};
+    const Json json = parseJsonFile(file.string());
+    if (!FieldKind<Tasks>::holds(json))
+        throw Error("{}: expected {}, found {}", file.string(), FieldKind<Tasks>::name(),
+                    json.dump());
+    return json.get<Tasks>();
+}
+
 void checkVariant(const Grader& grader, const Manifest& manifest, const fs::path& variant,
                   Findings& findings, DriverComparison* drivers) {
     const std::string mend = "look at " + variant.string() + ", then at the check";
     Stage stage = grader.stageOf(manifest, "solutions");
     layOver(stage, variant);
-    std::set<std::string> expected;
-    if (const fs::path file = variant / "loses.json"; fs::exists(file))
-        expected = parseJsonFile(file.string()).get<std::set<std::string>>();
+    const std::set<std::string> expected = lossesOf(variant);
     const Grader::StageResult result = gradeMended(grader, manifest, stage);
     const auto& checks = result.checks;
     if (drivers && result.build.ok)

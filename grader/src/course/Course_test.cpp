@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Error.h"
+#include "Mistakes.h"
 #include "course/CheckTexts.h"
 #include "course/MistakeTable.h"
 #include "course/SyncedStarter.h"
@@ -93,6 +94,12 @@ TEST_F(SmallCourse, ATaskHasARegion) {
     for (const char* tree : {"assignments", "solutions"})
         tree_.write(std::string(tree) + "/01-tiny/turn.cpp", "int nothing;\n");
     EXPECT_THAT(found(), HasSubstr("has 0 regions TODO(turn), expected 1"));
+}
+
+TEST_F(SmallCourse, MistakesAreAnArray) {
+    const fs::path file = tree_.write("solutions/01-tiny/mistakes.json", "{}");
+    EXPECT_EQ(whatOf<Error>([&] { readMistakes(file.parent_path()); }),
+              file.string() + ": expected an array of mistakes, found object");
 }
 
 TEST(SyncedStarter, CarriesTextOutsideTheRegionsAndKeepsTheBlanks) {

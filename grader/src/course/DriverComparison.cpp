@@ -32,9 +32,8 @@ double shareDifferent(const Picture& a, const Picture& b) {
 /// Where a wrong program draws the very reference, another renderer draws what it draws for the
 /// solution, which is compared anyway.
 bool isTheReference(const Frame& frame, const std::vector<CheckResult>& checks) {
-    const auto check = std::find_if(checks.begin(), checks.end(), [&](const auto& each) {
-        return each.id == frame.id || each.id.starts_with(frame.id + ".");
-    });
+    const auto check = std::find_if(checks.begin(), checks.end(),
+                                    [&](const auto& each) { return each.id == frame.id; });
     return check != checks.end() && check->pictures &&
            check->pictures->submission.rgba == check->pictures->reference.rgba;
 }

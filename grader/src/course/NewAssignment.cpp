@@ -127,13 +127,17 @@ private:
 
 }  // namespace
 
-void makeAssignment(const fs::path& root, const std::string& id) {
-    const Names names(id);
+void requireSolutions(const fs::path& root) {
     if (!fs::is_directory(root / "solutions"))
         throw Error(
-            "there is no {}, so this is a student's copy: assignments are made where their "
-            "solutions are",
+            "there is no {}, so this is a student's copy: assignments are made and proved where "
+            "their solutions are",
             (root / "solutions").string());
+}
+
+void makeAssignment(const fs::path& root, const std::string& id) {
+    const Names names(id);
+    requireSolutions(root);
     if (!fs::is_directory(root / kTemplate))
         throw Error("{} is missing, which new assignments are copied from",
                     (root / kTemplate).string());

@@ -6,6 +6,9 @@
 
 namespace grader {
 
+/// Throws Error in a student's copy, where there is no solutions/.
+void requireSolutions(const fs::path& root);
+
 /// Makes assignments/ID and solutions/ID below `root`: a small assignment that is whole (starter,
 /// solution, window, frames, tests, mistakes, variants), to be replaced step by step. They are
 /// copies of grader/templates/assignment, an assignment itself, in which names and numbers are

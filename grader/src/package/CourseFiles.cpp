@@ -8,6 +8,7 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "Error.h"
@@ -20,7 +21,12 @@ namespace {
 /// What git says about the course; throws Error where it says no.
 std::string asked(const fs::path& root, const std::vector<std::string>& arguments) {
     const ProcessResult ran = git(root, arguments);
-    if (!ran.succeeded() || ran.cut)
+    if (ran.cut || ran.timedOut)
+        throw Error("{}: a package is made of what git keeps, and git {} {}", root.string(),
+                    arguments.front(),
+                    ran.cut ? "lists more than is read: is something large kept by mistake?"
+                            : "did not end within a minute: try again");
+    if (!ran.succeeded())
         throw Error(
             "{}: a package is made of what git keeps, and git says: {}Make it a repository "
             "(git init, git add, git commit), or use a clone.",
@@ -29,16 +35,35 @@ std::string asked(const fs::path& root, const std::vector<std::string>& argument
 }
 
 void refuseUncommitted(const fs::path& root) {
+    const auto parts =
+        zeroEnded(asked(root, {"status", "--porcelain", "-z", "--untracked-files=no", "--", "."}));
     std::string changed;
-    for (const std::string& line :
-         zeroEnded(asked(root, {"status", "--porcelain", "-z", "--untracked-files=no", "--", "."})))
-        if (line.size() > 3)
-            changed += "\n  " + line.substr(3);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string status = parts[i].substr(0, 2);
+        changed += "\n  " + parts[i].substr(3);
+        if (status.find_first_of("RC") != std::string::npos)
+            ++i;  // the name of before
+    }
     if (!changed.empty())
         throw Error(
             "a package is made of what is committed, and these files have changes that are "
             "not:{}\nCommit them, or put them away (git stash).",
             changed);
+}
+
+/// What is new in these folders and was forgotten would be missing without a word.
+void refuseUntracked(const fs::path& root) {
+    const std::string files = asked(
+        root, {"ls-files", "-z", "--others", "--exclude-standard", "--", "assignments", "cmake",
+               "common", "docs", "grader", "reference_images", "scripts", "solutions", "students"});
+    std::string forgotten;
+    for (const std::string& path : zeroEnded(files))
+        forgotten += "\n  " + path;
+    if (!forgotten.empty())
+        throw Error(
+            "a package is made of what is committed, and git does not keep these files:{}\nCommit "
+            "them (git add, git commit), or take them away.",
+            forgotten);
 }
 
 constexpr int kFileMode = 0644, kProgramMode = 0755;
@@ -97,6 +122,7 @@ void CourseFiles::remove(const std::string& path) {
 
 CourseFiles committedFiles(const fs::path& root, const std::string& without) {
     refuseUncommitted(root);
+    refuseUntracked(root);
     CourseFiles course;
     course.commit = asked(root, {"rev-parse", "HEAD"}).substr(0, 40);
     course.seconds = std::stoll(asked(root, {"show", "-s", "--format=%ct", "HEAD"}));
@@ -116,7 +142,15 @@ CourseFiles committedFiles(const fs::path& root, const std::string& without) {
 }
 
 void writeTree(const CourseFiles& course, const fs::path& folder) {
-    if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder)))
+    static const std::set<std::string> archives = {".zip", ".tar", ".gz",  ".tgz", ".bz2", ".tbz",
+                                                   ".xz",  ".txz", ".zst", ".7z",  ".rar"};
+    if (archives.contains(folder.extension()))
+        throw Error("{}: expected the name of a folder; no such archive is written here",
+                    folder.string());
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw Error("{} is a file: name a folder that is empty, or that does not exist yet",
+                    folder.string());
+    if (fs::exists(folder) && !fs::is_empty(folder))
         throw Error("{} is not empty: name a folder that is, or that does not exist yet",
                     folder.string());
     for (const auto& [path, each] : course.files) {
@@ -131,6 +165,8 @@ void writeArchive(const CourseFiles& course, const fs::path& archive) {
     const std::string end = archive.extension();
     if (end != ".zip" && end != ".tar")
         throw Error("{}: expected a name that ends with .zip or .tar", archive.string());
+    if (archive.has_parent_path())
+        fs::create_directories(archive.parent_path());
     const fs::path made = archive.string() + ".new";
     const InUtc utc;
     try {

@@ -27,15 +27,17 @@ struct CourseFiles {
 
 /// The files that git keeps below `root`, as they are at HEAD, without those that have the
 /// attribute `without` in .gitattributes (none when it is empty). Throws Error where `root` is no
-/// repository, and where a kept file has changes that are not committed: a package can be made
-/// again from its commit.
+/// repository, where a kept file has changes that are not committed, and where a folder of the
+/// course has a new file that git does not keep: a package can be made again from its commit.
 CourseFiles committedFiles(const fs::path& root, const std::string& without = "");
 
-/// Writes them below `folder`, which must be empty or absent; else throws Error.
+/// Writes them below `folder`, which must be empty or absent and not be named like an archive; else
+/// throws Error.
 void writeTree(const CourseFiles& course, const fs::path& folder);
 
-/// Writes them into a zip or a tar file, by its name's end (.zip, .tar). Throws Error for another
-/// end, or when it cannot be written; then there is no half-written file.
+/// Writes them into a zip or a tar file, by its name's end (.zip, .tar); makes the folders that are
+/// missing. Throws Error for another end, or when it cannot be written; then there is no
+/// half-written file.
 void writeArchive(const CourseFiles& course, const fs::path& archive);
 
 }  // namespace grader

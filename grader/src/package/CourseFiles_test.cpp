@@ -5,6 +5,8 @@
 
 #include "Error.h"
 #include "Process.h"
+#include "package/PlatformPackage.h"
+#include "testing/Tree.h"
 
 namespace {
 
@@ -58,6 +60,30 @@ TEST_F(CourseFilesTest, MustBeCommitted) {
                 ThrowsMessage<Error>(HasSubstr("not a git repository")));
 }
 
+TEST_F(CourseFilesTest, WhatIsNewInTheCourseMustBeCommitted) {
+    write("docs/new.md", "new");
+    write("docs/kept.swp", "ignored");
+    write(".git/info/exclude", "*.swp\n");
+    EXPECT_THAT([&] { committedFiles(root()); },
+                ThrowsMessage<Error>(HasSubstr("does not keep these files:\n  docs/new.md\n"
+                                               "Commit")));
+    fs::remove(root() / "docs/new.md");
+    EXPECT_FALSE(committedFiles(root()).files.contains("docs/kept.swp"));
+}
+
+TEST_F(CourseFilesTest, OfARenamedFileTheNewNameIsSaid) {
+    sh("git mv a.txt c.txt");
+    EXPECT_THAT([&] { committedFiles(root()); },
+                ThrowsMessage<Error>(HasSubstr("are not:\n  c.txt\nCommit them")));
+}
+
+TEST_F(CourseFilesTest, MoreThanIsReadIsSaid) {
+    sh("blob=$(git hash-object -w a.txt) && awk -v blob=$blob 'BEGIN { for (i = 0; i < 80000; ++i)"
+       " printf \"100644 %s 0\\t%0220d\\n\", blob, i }' | git update-index --index-info");
+    EXPECT_THAT([&] { committedFiles(root()); },
+                ThrowsMessage<Error>(HasSubstr("git status lists more than is read")));
+}
+
 TEST_F(CourseFilesTest, TheSameCommitGivesTheSameBytes) {
     const CourseFiles course = committedFiles(root());
     for (const char* end : {".zip", ".tar"}) {
@@ -80,8 +106,37 @@ TEST_F(CourseFilesTest, AreWrittenToAnEmptyPlaceOnly) {
     EXPECT_THAT([&] { writeTree(course, out); }, ThrowsMessage<Error>(HasSubstr("is not empty")));
     EXPECT_THAT([&] { writeArchive(course, work_.path() / "x.rar"); },
                 ThrowsMessage<Error>(HasSubstr(".zip or .tar")));
-    EXPECT_THROW(writeArchive(course, work_.path() / "none/x.zip"), Error);
-    EXPECT_FALSE(fs::exists(work_.path() / "none"));
+    writeArchive(course, work_.path() / "new/x.zip");
+    EXPECT_TRUE(fs::exists(work_.path() / "new/x.zip"));
+    for (const char* name : {"x.tar.gz", "x.zip"})
+        EXPECT_THAT([&] { writeTree(course, work_.path() / name); },
+                    ThrowsMessage<Error>(HasSubstr("expected the name of a folder")))
+            << name;
+    EXPECT_THAT([&] { writeTree(course, out / "a.txt"); },
+                ThrowsMessage<Error>(HasSubstr("a.txt is a file: name a folder")));
+}
+
+TEST(PlatformPackage, TwoAssignmentsMayNeedEachOther) {
+    const testing_help::Tree tree;
+    for (const auto& [id, other] : {std::pair("01-one", "02-two"), {"02-two", "01-one"}})
+        tree.write(fmt::format("assignments/{}/assignment.json", id),
+                   fmt::format(R"json({{
+            "format": 1, "id": "{}", "title": "Tiny", "chapter": 1, "summary": "Small.",
+            "submit": ["turn.cpp"], "inherits": {{"{}.cpp": "{}"}},
+            "limits": {{}}, "frames": [], "starter_passes": [],
+            "tasks": [{{"id": "turn", "title": "Turn", "points": 100, "needs": [], "hint": "Turn."}}]
+            }})json",
+                               id, other, other));
+    CourseFiles course;
+    for (const char* each :
+         {"grader/platforms/prairielearn/README.md", "grader/platforms/prairielearn/run.sh",
+          "solutions/01-one/turn.cpp", "solutions/02-two/turn.cpp", "solutions/03-three/turn.cpp"})
+        course.files[each] = {"text"};
+    const CourseFiles made =
+        prairieLearnPackage({course, loadAssignment(tree.path(), "01-one"), 1});
+    EXPECT_TRUE(made.files.contains("tests/solutions/01-one/turn.cpp"));
+    EXPECT_TRUE(made.files.contains("tests/solutions/02-two/turn.cpp"));
+    EXPECT_FALSE(made.files.contains("tests/solutions/03-three/turn.cpp"));
 }
 
 }  // namespace

@@ -18,9 +18,14 @@ struct Leak {
 };
 
 /// Looks for runs of kLeakTokens tokens of any TODO region of `secret` (the files of solutions/) in
-/// all texts of `package`: in code, in comments, in strings. Runs that a file of `known` has, too,
-/// are no secret: starters and the framework. One finding for each file and region.
+/// all files of `package`, whatever their encoding: in code, in comments, in strings. Runs that a
+/// file of `known` has, too, are no secret: starters and the framework. One finding for each file
+/// and region.
 std::vector<Leak> leaksOf(const CourseFiles& package, const CourseFiles& secret,
                           const CourseFiles& known);
+
+/// Files in which a solution might hide from that search, by path: archives, and whatever else is
+/// neither text nor of a kind that the course has.
+std::vector<std::string> unsearchable(const CourseFiles& package);
 
 }  // namespace grader

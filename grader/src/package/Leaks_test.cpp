@@ -6,6 +6,7 @@
 namespace {
 
 using namespace grader;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -49,7 +50,25 @@ TEST(Leaks, FewerTokensOtherTokensAndWhatIsKnownAreNone) {
     EXPECT_THAT(leaksIn("float a = b * (c + d[2]) - e / f; g = h * i + k;"), IsEmpty());
     EXPECT_THAT(leaksIn("void beside() { one(two, three); }"), IsEmpty());
     EXPECT_THAT(leaksIn(kSecret, filesWith("common/x.h", kSecret)), IsEmpty());
-    EXPECT_THAT(leaksIn(kSecret + std::string("\xff\0", 2)), IsEmpty()) << "no text";
+}
+
+TEST(Leaks, NoEncodingHidesAnything) {
+    EXPECT_THAT(leaksIn(kSecret + "\xff"), SizeIs(1));
+    EXPECT_THAT(leaksIn("// f\xfcr " + kSecret), SizeIs(1)) << "Latin-1";
+    std::string wide = "\xff\xfe";  // UTF-16
+    for (const char c : kSecret)
+        wide += {c, '\0'};
+    EXPECT_THAT(leaksIn(wide), SizeIs(1));
+    EXPECT_THAT(leaksIn(std::string("\x7f\0\1x", 4) + kSecret), SizeIs(1)) << "a binary";
+}
+
+TEST(Leaks, ArchivesAndOtherBinariesCannotBeSearched) {
+    const std::string zip("PK\3\4\24\0", 6);
+    for (const char* path : {"autograder.zip", "docs/week.tar", "docs/page.md", "program"})
+        EXPECT_THAT(unsearchable(filesWith(path, zip)), ElementsAre(path));
+    for (const char* path : {"docs/window.png", "reference_images/01-x/signatures.cbor"})
+        EXPECT_THAT(unsearchable(filesWith(path, zip)), IsEmpty());
+    EXPECT_THAT(unsearchable(filesWith("docs/page.md", "f\xfcr, für\r\n\t\f")), IsEmpty());
 }
 
 }  // namespace

@@ -68,12 +68,13 @@ CourseFile scriptOf(const PackageOrder& order, const std::string& name) {
     return file;
 }
 
-/// An assignment and those that it takes files from, or has tasks that rest on theirs.
-std::set<std::string> closureOf(const Manifest& manifest) {
-    std::set<std::string> ids = {manifest.id};
+/// An assignment and those that it takes files from, or has tasks that rest on theirs. Two may need
+/// each other.
+void addClosure(const Manifest& manifest, std::set<std::string>& ids) {
+    ids.insert(manifest.id);
     const auto add = [&](const std::string& id) {
         if (!ids.contains(id))
-            ids.merge(closureOf(Manifest::load(manifest.folder.parent_path() / id)));
+            addClosure(Manifest::load(manifest.folder.parent_path() / id), ids);
     };
     for (const auto& [file, id] : manifest.inherits)
         add(id);
@@ -81,17 +82,18 @@ std::set<std::string> closureOf(const Manifest& manifest) {
         for (const std::string& need : task.needs)
             if (const auto slash = need.find('/'); slash != std::string::npos)
                 add(need.substr(0, slash));
-    return ids;
 }
 
 /// solutions/, less what only a judge that is built with them can use.
 void addSolutions(CourseFiles& package, const PackageOrder& order, const std::string& folder) {
-    for (const std::string& id : closureOf(order.manifest))
+    std::set<std::string> ids;
+    addClosure(order.manifest, ids);
+    for (const std::string& id : ids) {
         for (const auto& [path, file] : order.course.files)
             if (path.starts_with("solutions/" + id + "/"))
                 package.files[folder + "/" + path] = file;
-    for (const std::string& id : closureOf(order.manifest))
         package.remove(folder + "/solutions/" + id + "/hidden_tests");
+    }
 }
 
 /// The bytes of a tar file with these files.

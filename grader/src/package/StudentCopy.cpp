@@ -183,12 +183,23 @@ void refuseLeaks(const CourseFiles& copy, const CourseFiles& all, CourseFiles op
             "the students' copy would give solutions away:{}\nWrite these otherwise, or leave the "
             "file out of the copy (attribute instructors in .gitattributes).",
             found);
+    if (const auto binaries = unsearchable(copy); !binaries.empty())
+        throw Error(
+            "solutions could hide in these files of the students' copy, which are neither text nor "
+            "pictures (.png):\n  {}\nTake them out of git, or leave them out of the copy "
+            "(attribute "
+            "instructors in .gitattributes).",
+            fmt::join(binaries, "\n  "));
 }
 
 }  // namespace
 
 CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
     const CourseFiles all = committedFiles(root);
+    if (partOf(all, {kOverlay}).files.empty())
+        throw Error(
+            "{} has no {}, so this is a student's copy: copies are made where the solutions are",
+            root.string(), kOverlay);
     auto known = knownAssignments(root);
     std::erase_if(known, [&](const std::string& id) {
         return !all.files.contains("assignments/" + id + "/assignment.json");
@@ -209,6 +220,24 @@ CourseFiles studentCopy(const fs::path& root, const StudentCopyWish& wish) {
     cutLinks(copy, all);
     refuseLeaks(copy, all, openFiles(all, root, known), wish, given);
     return copy;
+}
+
+std::vector<std::string> namesOfWhatIsLeftOut(const fs::path& root, const CourseFiles& copy) {
+    auto leftOut = knownAssignments(root);
+    std::erase_if(leftOut, [&](const std::string& id) {
+        return copy.files.contains("assignments/" + id + "/assignment.json");
+    });
+    std::vector<std::string> found;
+    for (const auto& [path, file] : copy.files) {
+        std::vector<std::string> named;
+        for (const std::string& id : leftOut)
+            if (fs::path(path).extension() == ".md" && file.content.find(id) != std::string::npos)
+                named.push_back(id);
+        if (!named.empty())
+            found.push_back(fmt::format("{} names what this copy does not have: {}", path,
+                                        fmt::join(named, ", ")));
+    }
+    return found;
 }
 
 }  // namespace grader

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Error.h"
+#include "Fields.h"
 #include "testing/Tree.h"
 
 namespace {
@@ -171,7 +172,20 @@ TEST(Signatures, AFileThatIsNoneIsNamed) {
     const WorkFolder folder;
     const fs::path file = folder.path() / "signatures.cbor";
     writeFile(file, "no such thing");
-    EXPECT_THAT(whatOf<Error>([&] { Signatures::load(file); }), HasSubstr(file.string()));
+    const auto complaint = [&] { return whatOf<Error>([&] { Signatures::load(file); }); };
+    EXPECT_THAT(complaint(), HasSubstr(file.string()));
+    EXPECT_THAT(complaint(), HasSubstr("run ./grade update-references"));
+    Json damaged = {{"format", 3}, {"right", Json::array()}, {"mistakes", Json::array()}};
+    damaged["right"].push_back(
+        Json::array({"s", "ok", "shares", 3, Json::binary(std::vector<std::uint8_t>(5))}));
+    const auto bytes = Json::to_cbor(damaged);
+    writeFile(file, std::string(bytes.begin(), bytes.end()));
+    EXPECT_THAT(complaint(), HasSubstr(file.string()));
+    EXPECT_THAT(complaint(), HasSubstr("(3 shares in 5 bytes): run ./grade update-references"));
+    damaged["format"] = 2;
+    const auto older = Json::to_cbor(damaged);
+    writeFile(file, std::string(older.begin(), older.end()));
+    EXPECT_THAT(complaint(), HasSubstr("(expected format 3, found 2): run ./grade"));
 }
 
 }  // namespace

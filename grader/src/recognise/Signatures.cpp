@@ -185,14 +185,14 @@ Signatures Signatures::load(const fs::path& file) {
     try {
         const Json json = Json::from_cbor(bytes);
         if (json.at("format") != kFormat)
-            throw Error("{}: expected format {}, found {}", file.string(), kFormat,
-                        json.at("format").dump());
+            throw Error("expected format {}, found {}", kFormat, json.at("format").dump());
         Signatures signatures{unpackedAnswers(json.at("right")), {}};
         for (const Json& each : json.at("mistakes"))
             signatures.mistakes.push_back(unpackedSignature(each));
         return signatures;
-    } catch (const nlohmann::json::exception& error) {
-        throw Error("{}: not what update-references writes ({})", file.string(), error.what());
+    } catch (const std::exception& error) {
+        throw Error("{}: not what this grader writes ({}): run ./grade update-references",
+                    file.string(), error.what());
     }
 }
 
