@@ -63,7 +63,11 @@ TEST(Doctor, NamesEachDefenceThatIsMissing) {
         EXPECT_THAT(missing(said), testing::ElementsAre(id)) << what.first;
     }
     EXPECT_THAT(missing(wellKept(), "bubblewrap", false), testing::ElementsAre("user"));
-    EXPECT_THAT(missing(wellKept(), "plain"), testing::ElementsAre("namespaces"));
+    Confession plain = wellKept();
+    EXPECT_THAT(missing(plain, "plain"), testing::ElementsAre("namespaces", "read_only"))
+        << "/tmp is everybody's there";
+    plain["Writable"] = "";
+    EXPECT_THAT(missing(plain, "plain"), testing::ElementsAre("namespaces"));
 }
 
 TEST(Doctor, SaysWhetherTheKernelLimitsWhatIsUsedInSum) {
