@@ -101,6 +101,24 @@ TEST(Grading, PicturesInTheTerminalAreRefusedInOneLineWhereNobodySeesThem) {
     EXPECT_EQ(graded.text.find("▀"), std::string::npos);
 }
 
+TEST(Grading, TheHelpShowsHowToGrade) {
+    const Graded help = lab::runGrader({"--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    for (const char* part :
+         {"./grade 06-rotation", "--watch", "--open", "--yes", "./grade grade --help"})
+        EXPECT_NE(help.text.find(part), std::string::npos) << part << help.text;
+}
+
+TEST(Grading, AnErrorInAHeaderIsSaidOnce) {
+    Submission submission;
+    const std::string header = "07-camera/Camera.h";
+    submission.write(header, submission.read(header) + "\n#error twice\n");
+    const Graded graded = submission.grade("07-camera");
+    const Json& diagnostics = graded.document.at("build").at("diagnostics");
+    ASSERT_EQ(diagnostics.size(), 1u) << "though several files include it";
+    EXPECT_EQ(diagnostics[0].at("message"), "#error twice");
+}
+
 TEST(Grading, AnErrorHasItsSourceLine) {
     Submission submission;
     submission.write(kCamera, "#error mine\n" + submission.read(kCamera));

@@ -1,8 +1,13 @@
 // Grades submissions that attack (grader/tests/hostile/), and an honest one after each, which must
 // get full marks and the same result document as ever. In their order they make the scoreboard;
 // with --crowd they come in random order, eight at a time, and what follows each is one and the
-// same half-right submission, which must earn the same parts of its points every time. At the end
-// no process of a submission may be left.
+// same half-right submission, which must earn the same parts of its points every time. With --plain
+// all are graded without a sandbox, which takes root: a user of its own, limits, the filter and
+// Landlock must hold whatever needs no namespace. At the end no process of a submission may be
+// left.
+
+#include <sys/utsname.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,23 +16,26 @@
 #include <iostream>
 #include <mutex>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "Error.h"
 #include "HostileCase.h"
+#include "Sandbox.h"
 
 namespace {
 
 using namespace hostile;
 
-constexpr int kCrowd = 8;  // at a time
+constexpr int kCrowd = 8;     // at a time
+constexpr int kSkipped = 77;  // exit code: could not be tried here
 const std::string kHalfRightOne = "half-right " + kHalfRight;
 
 struct Options {
     std::string only;
     int jobs = 1;
     std::size_t most = std::size_t(-1);
-    bool crowd = false, update = false;
+    bool crowd = false, plain = false, update = false;
     unsigned order = std::random_device()();
 };
 
@@ -41,10 +49,26 @@ std::string rowOf(const Case& attack, const Outcome& outcome) {
                        attack.mostPoints, outcome.seconds);
 }
 
+/// "Debian GNU/Linux 12 (bookworm), Linux 6.1.0".
+std::string system() {
+    std::string name = "a system without a name";
+    std::istringstream lines(grader::readFile("/etc/os-release"));
+    const std::string key = "PRETTY_NAME=";
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(key))
+            name = line.substr(key.size());
+    std::erase(name, '"');
+    utsname kernel{};
+    uname(&kernel);
+    return fmt::format("{}, {} {}", name, kernel.sysname, kernel.release);
+}
+
 class Trial {
 public:
     explicit Trial(const Options& options)
-        : options_(options), cases_(readCases(kHome, options.only)) {
+        : options_(options), world_(options.plain), cases_(readCases(kHome, options.only)) {
+        if (options.plain)
+            leaveOutWhatNeedsASandbox();
         for (const Case& attack : cases_)
             if (!usual_.contains(attack.assignment))
                 usual_[attack.assignment] =
@@ -84,6 +108,17 @@ public:
     int honestResults() const { return honestResults_; }
 
 private:
+    void leaveOutWhatNeedsASandbox() {
+        const bool closesFiles = grader::makePlainProcess("")->hidesFiles();
+        std::erase_if(cases_, [&](const Case& attack) {
+            const std::string& why =
+                attack.plain.empty() && !closesFiles ? attack.withoutLandlock : attack.plain;
+            if (!why.empty())
+                std::cout << fmt::format("– {:<32} not tried: {}\n", attack.name, why);
+            return !why.empty();
+        });
+    }
+
     /// The result of an honest submission, which must be the same as ever.
     Json checked(const std::string& name, Outcome outcome) {
         if (usual_.contains(name) && outcome.document != usual_.at(name))
@@ -122,22 +157,29 @@ private:
         std::cout << std::flush;
     }
 
+    /// Who tried the cases, and where.
+    std::string circumstances() const {
+        const Json& environment = usual_.at(kHalfRightOne).at("environment");
+        return fmt::format("Tried by {}, with the sandbox `{}`, on {}.",
+                           geteuid() == 0 ? "root" : "an ordinary user",
+                           environment.at("sandbox").get<std::string>(), system());
+    }
+
     void writeBoard() const {
         std::string rows;
         for (std::size_t k = 0; k < cases_.size(); ++k)
             rows += rowOf(cases_[k], outcomes_[k]) + "\n";
+        const auto green = std::count_if(outcomes_.begin(), outcomes_.end(),
+                                         [](const Outcome& each) { return each.faults.empty(); });
         grader::writeFile(
             kHome / "README.md",
             fmt::format("# Hostile submissions: the scoreboard\n\nWritten by `grading_hostile "
                         "--update`, which grades every case and an honest submission after each. "
                         "What a case is made of, and how to add one: "
-                        "[SECURITY.md](../../SECURITY.md).\n\n{} cases, {} of them green.\n\n| "
+                        "[SECURITY.md](../../SECURITY.md).\n\n{} {} cases, {} of them green.\n\n| "
                         "case | what is tried | verdict wanted | verdict | points | time "
                         "|\n|---|---|---|---|---|---|\n{}",
-                        cases_.size(),
-                        std::count_if(outcomes_.begin(), outcomes_.end(),
-                                      [](const Outcome& each) { return each.faults.empty(); }),
-                        rows));
+                        circumstances(), cases_.size(), green, rows));
     }
 
     const Options& options_;
@@ -159,10 +201,19 @@ int main(int argc, char** argv) {
     auto* crowd = app.add_flag("--crowd", options.crowd, "eight at a time, in random order");
     app.add_option("--order", options.order, "number of that order")->needs(crowd);
     app.add_option("--most", options.most, "so many of the crowd")->needs(crowd);
+    auto* plain = app.add_flag("--plain", options.plain,
+                               "as root: in plain processes (--no-sandbox), but for the cases that "
+                               "only a sandbox can hold");
     app.add_flag("--update", options.update, "write the scoreboard, grader/tests/hostile/README.md")
         ->excludes(crowd)
-        ->excludes(only);
+        ->excludes(only)
+        ->excludes(plain);
     CLI11_PARSE(app, argc, argv);
+    if (options.plain && geteuid() != 0) {
+        std::cout << "not tried: without a sandbox only root can start a submission as another "
+                     "user\n";
+        return kSkipped;
+    }
     try {
         Trial trial(options);
         trial.run();

@@ -1,14 +1,9 @@
 #include "HostileCase.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <fstream>
-#include <random>
-#include <sstream>
 
 #include "Error.h"
-#include "Regions.h"
 
 namespace hostile {
 
@@ -17,30 +12,10 @@ namespace {
 using grader::Error;
 using grader::Fields;
 
-constexpr double kMostSeconds = 300;
+using Texts = std::vector<std::string>;
 
-std::string randomWord(const std::string& prefix) {
-    std::random_device device;
-    return prefix + fmt::format("{:08x}{:08x}", device(), device());
-}
-
-/// The lines of all hidden tests that could stand nowhere else.
-std::vector<std::string> linesOfHiddenTests() {
-    constexpr std::size_t kLong = 40;
-    std::vector<std::string> lines;
-    for (const auto& entry : fs::recursive_directory_iterator(lab::root() / "solutions")) {
-        if (entry.path().parent_path().filename() != "hidden_tests" || !entry.is_regular_file())
-            continue;
-        std::istringstream file(grader::readFile(entry.path()));
-        for (std::string line; std::getline(file, line);) {
-            line.erase(0, line.find_first_not_of(' '));
-            if (line.size() >= kLong && !line.starts_with("//"))
-                lines.push_back(line);
-        }
-    }
-    if (lines.empty())
-        throw Error("{} has no hidden test", (lab::root() / "solutions").string());
-    return lines;
+Texts oneOrMore(const Json& json) {
+    return json.is_string() ? Texts{json.get<std::string>()} : json.get<Texts>();
 }
 
 Case readCase(const fs::path& folder) {
@@ -53,41 +28,20 @@ Case readCase(const fs::path& folder) {
     attack.about = fields.get<std::string>("about");
     attack.assignment = fields.get<std::string>("assignment");
     attack.mostPoints = fields.get<double>("most_points");
-    const Json verdict = fields.get<Json>("verdict");
-    if (verdict.is_string())
-        attack.verdicts = {verdict.get<std::string>()};
-    else
-        attack.verdicts = verdict.get<std::set<std::string>>();
+    const auto verdicts = oneOrMore(fields.get<Json>("verdict"));
+    attack.verdicts = {verdicts.begin(), verdicts.end()};
     attack.file = fields.get<std::string>("file", "");
     attack.region = fields.get<std::string>("region", "");
-    attack.says = fields.get<std::string>("says", "");
-    using Texts = std::vector<std::string>;
+    attack.says = oneOrMore(fields.get<Json>("says", Json::array()));
     attack.hides = fields.get<Texts>("hides", {});
     attack.escapes = fields.get<Texts>("escapes", {});
     attack.startsNoLine = fields.get<Texts>("starts_no_line", {});
     attack.ignored = fields.get<Texts>("ignored", {});
+    attack.batch = fields.get<bool>("batch", false);
+    attack.plain = fields.get<std::string>("plain", "");
+    attack.withoutLandlock = fields.get<std::string>("without_landlock", "");
     fields.done();
     return attack;
-}
-
-/// "body.cpp" in place of the region of a .cpp file or header, "body.frag" of a shader.
-std::string partOf(const Case& attack, const std::string& part) {
-    const std::string ending = attack.file.ends_with(".frag") ? ".frag" : ".cpp";
-    const fs::path file = attack.folder / (part + ending);
-    return fs::exists(file) ? grader::readFile(file) : "";
-}
-
-/// The archive that an attack has in its folder or has made; empty where there is none.
-fs::path archiveIn(const fs::path& folder) {
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().filename().string().starts_with("archive."))
-            return entry.path();
-    return {};
-}
-
-void replaceAll(std::string& text, const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
 }
 
 /// The gravest status among the checks of a task, or of all tasks where `task` is empty.
@@ -122,146 +76,72 @@ std::vector<Case> readCases(const fs::path& home, const std::string& only) {
     return cases;
 }
 
-World::World() {
-    secrets_ = {randomWord("secret_beside_"), randomWord("secret_of_the_neighbour_"),
-                randomWord("secret_of_the_environment_")};
-    const auto hidden = linesOfHiddenTests();
-    secrets_.insert(secrets_.end(), hidden.begin(), hidden.end());
-    fs::permissions(folder(), fs::perms(0755));
-    grader::writeFile(folder() / "secret.txt", secrets_[0] + "\n");
-    const std::string file = "06-rotation/rotation.cpp";
-    grader::writeFile(folder() / "neighbour" / file,
-                      "// " + secrets_[1] + "\n#error " + secrets_[1] + "\n" + honest_.read(file));
-    const fs::path mistake = lab::root() / "solutions" / kHalfRight / "mistakes/euler-degrees.cpp";
-    halfRight_.solve(file, "euler-rodrigues", grader::readFile(mistake));
-    setenv("TOKEN_OF_THE_GRADER", secrets_[2].c_str(), 1);
-}
-
-bool World::isUntouched() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder()))
-        names.insert(entry.path().filename().string());
-    return names == std::set<std::string>{"secret.txt", "neighbour"} &&
-           !fs::exists("/tmp/left-behind");
-}
-
-std::string World::filled(std::string text) const {
-    replaceAll(text, "@ROOT@", lab::root().string());
-    replaceAll(text, "@SECRET@", (folder() / "secret.txt").string());
-    replaceAll(text, "@SIBLING@", (folder() / "neighbour").string());
-    return text;
-}
-
-fs::path World::prepare(const Case& attack, const fs::path& target) const {
-    fs::create_directories(target);
-    fs::copy(honest() / attack.assignment, target / attack.assignment, fs::copy_options::recursive);
-    if (!attack.file.empty()) {
-        const fs::path file = target / attack.assignment / attack.file;
-        std::string text = grader::readFile(file);
-        if (!attack.region.empty()) {
-            const auto put =
-                grader::withRegion(text, attack.region, filled(partOf(attack, "body")));
-            if (!put)
-                throw Error("{}: {} has no region \"{}\"", attack.folder.string(), attack.file,
-                            attack.region);
-            text = *put;
-        }
-        grader::writeFile(file, filled(partOf(attack, "top")) + text);
-    }
-    if (const fs::path script = attack.folder / "make.sh"; fs::exists(script)) {
-        const auto made = grader::run(
-            {"bash", "-ec", "cd \"$0\"\n" + filled(grader::readFile(script)), target.string()},
-            30.0);
-        if (!made.succeeded())
-            throw Error("{} failed: {}", script.string(), made.output);
-    }
-    for (const fs::path& folder : {target, attack.folder})
-        if (const auto archive = archiveIn(folder); !archive.empty())
-            return archive;
-    return target;
-}
-
 namespace {
 
-/// All that a student could be shown.
-struct Shown {
-    std::string terminal, result, page;
-};
-
-/// Grades a folder by the grader's own command, as a batch does, and reads all that it wrote.
-Outcome gradeFolder(const fs::path& submission, const std::string& assignment, bool withPage,
-                    Shown& shown) {
-    const lab::WorkFolder out;
-    const fs::path result = out.path() / "result.json", report = out.path() / "report";
-    std::vector<std::string> command = {COURSE_GRADER,       assignment, "--submission",
-                                        submission.string(), "--json",   result.string()};
-    if (withPage)
-        command.insert(command.end(), {"--report", report.string()});
-    const auto start = std::chrono::steady_clock::now();
-    const auto ran = grader::run(command, kMostSeconds);
-    Outcome outcome;
-    outcome.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    shown.terminal = ran.output;
-    if (ran.exitCode == 2 && holds(ran.output, "the archive is refused: ")) {
-        outcome.verdict = "refused";
-        return outcome;
-    }
-    if (ran.timedOut || (ran.exitCode != 0 && ran.exitCode != 1)) {
-        outcome.verdict = ran.timedOut ? "hangs" : fmt::format("exit code {}", ran.exitCode);
-        outcome.faults.push_back("the grader itself failed: " + ran.output.substr(0, 500));
-        return outcome;
-    }
-    shown.result = grader::readFile(result);
-    if (withPage)
-        shown.page = grader::readFile(report / "index.html");
-    outcome.document = Json::parse(shown.result);
-    outcome.document.erase("timing");
-    outcome.points = outcome.document.at("points");
-    return outcome;
-}
-
 /// Complaints about what a student would see.
-std::vector<std::string> complaintsAbout(const Shown& shown, const Case& attack,
+std::vector<std::string> complaintsAbout(const Shown& shown, const std::string& verdict,
+                                         const Case& attack,
                                          const std::vector<std::string>& secrets) {
     std::vector<std::string> complaints;
-    const std::pair<const char*, const std::string&> places[] = {
-        {"terminal", shown.terminal}, {"result", shown.result}, {"page", shown.page}};
-    for (const auto& [where, text] : places) {
-        for (const std::string& secret : secrets)
-            if (holds(text, secret))
-                complaints.push_back(fmt::format("a secret is in the {}: {}", where, secret));
+    const std::string read = readable(shown);
+    for (const std::string& secret : secrets)
+        if (holds(read, withSingleBlanks(secret)))
+            complaints.push_back("a secret can be read: " + secret);
+    const std::pair<const char*, const std::string&> places[] = {{"terminal", shown.terminal},
+                                                                 {"result", shown.result},
+                                                                 {"page", shown.page},
+                                                                 {"text of these", read}};
+    for (const auto& [where, text] : places)
         for (const std::string& hidden : attack.hides)
             if (holds(text, hidden))
                 complaints.push_back(fmt::format("\"{}\" is in the {}", hidden, where));
-    }
     for (const std::string& text : attack.escapes)
         if (holds(shown.page, text))
             complaints.push_back("\"" + text + "\" stands in the page as it is");
     for (const std::string& text : attack.startsNoLine)
         if (holds("\n" + shown.terminal, "\n" + text))
             complaints.push_back("a line of the terminal begins with \"" + text + "\"");
-    if (!holds(shown.result + shown.terminal, attack.says))
-        complaints.push_back("it does not say \"" + attack.says + "\"");
+    const auto isTold = [&](const std::string& text) {
+        return holds(shown.result + shown.terminal + read, text);
+    };
+    // What ran out of its time on a busy machine has not come to what it wanted to say.
+    const bool late = verdict == "timeout" && attack.verdicts.size() > 1;
+    if (!late && !attack.says.empty() &&
+        std::none_of(attack.says.begin(), attack.says.end(), isTold))
+        complaints.push_back(
+            fmt::format("it does not say \"{}\"", fmt::join(attack.says, "\" or \"")));
     return complaints;
 }
 
-}  // namespace
-
-namespace {
+/// The outcome of a grading, yet without faults but the grader's own.
+Outcome outcomeOf(const Shown& shown, const std::string& task) {
+    Outcome outcome;
+    outcome.seconds = shown.seconds;
+    if (!shown.failure.empty()) {
+        outcome.verdict = shown.failure;
+        outcome.faults.push_back("the grader itself failed: " + shown.terminal.substr(0, 500));
+    } else if (shown.refused) {
+        outcome.verdict = "refused";
+    } else {
+        outcome.document = Json::parse(shown.result);
+        outcome.document.erase("timing");
+        outcome.points = outcome.document.at("points");
+        outcome.verdict = gravest(outcome.document, task);
+    }
+    return outcome;
+}
 
 Outcome graded(const Case& attack, const World& world) {
     const lab::WorkFolder work;
     fs::permissions(work.path(), fs::perms(0755));
     const fs::path submission = world.prepare(attack, work.path() / "submission");
-    Shown shown;
-    Outcome outcome = gradeFolder(submission, attack.assignment, true, shown);
-    for (std::string& each : complaintsAbout(shown, attack, world.secrets()))
+    const Shown shown = attack.batch ? gradeInBatch(submission, attack.assignment, world)
+                                     : gradeAlone(submission, attack.assignment, world, true);
+    Outcome outcome = outcomeOf(shown, attack.region);
+    for (std::string& each : complaintsAbout(shown, outcome.verdict, attack, world.secrets()))
         outcome.faults.push_back(std::move(each));
-    if (!world.isUntouched())
-        outcome.faults.push_back("something was written beside the submission");
-    if (!outcome.document.is_null())
-        outcome.verdict = gravest(outcome.document, attack.region);
+    for (const std::string& each : world.tracesOf(attack))
+        outcome.faults.push_back("it has left a trace: " + each);
     if (!attack.verdicts.contains(outcome.verdict))
         outcome.faults.push_back(fmt::format("expected {}, got {}",
                                              fmt::join(attack.verdicts, " or "), outcome.verdict));
@@ -292,19 +172,14 @@ Outcome tryCase(const Case& attack, const World& world) {
 }
 
 Outcome tryHonest(const std::string& assignment, const World& world) {
-    Shown shown;
-    Outcome outcome = gradeFolder(world.honest(), assignment, false, shown);
-    if (outcome.document.is_null())
-        return outcome;
-    outcome.verdict = gravest(outcome.document, "");
-    if (outcome.verdict != "pass")
+    Outcome outcome = outcomeOf(gradeAlone(world.honest(), assignment, world, false), "");
+    if (!outcome.document.is_null() && outcome.verdict != "pass")
         outcome.faults.push_back("an honest submission lost points: " + outcome.verdict);
     return outcome;
 }
 
 Outcome tryHalfRight(const World& world) {
-    Shown shown;
-    Outcome outcome = gradeFolder(world.halfRight(), kHalfRight, false, shown);
+    Outcome outcome = outcomeOf(gradeAlone(world.halfRight(), kHalfRight, world, false), "");
     if (!outcome.document.is_null() && (outcome.points <= 0 || outcome.points >= 100))
         outcome.faults.push_back(
             fmt::format("a half-right submission earned {:g} points", outcome.points));

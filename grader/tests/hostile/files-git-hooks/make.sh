@@ -1,4 +1,17 @@
-mkdir -p .git/hooks
-printf '#!/bin/sh\ntouch @SECRET@.hook\n' | tee .git/hooks/post-checkout > .git/hooks/pre-commit
+# What is committed is right; what lies beside it is not, so nobody takes one for the other.
+git init -q .
+printf '*.cpp filter=evil\n' > .gitattributes
+git add .
+git -c user.name=x -c user.email=x@x -c commit.gpgsign=false commit -q -m work
+printf '#error the folder was graded, not the commit\n' > 06-rotation/rotation.cpp
+evil='touch @SECRET@.hook /tmp/@LEFT@'
+for hook in post-checkout pre-commit post-index-change reference-transaction; do
+    printf '#!/bin/sh\n%s\n' "$evil" > .git/hooks/$hook
+done
 chmod +x .git/hooks/*
-printf '[core]\n\tfsmonitor = touch @SECRET@.hook\n' > .git/config
+for name in core.fsmonitor core.pager core.sshCommand; do
+    git config $name "$evil"
+done
+# This one would be seen in what it makes, wherever it is run.
+git config filter.evil.smudge "$evil; cat > /dev/null; echo '#error a filter was run'"
+rm -f @SECRET@.hook /tmp/@LEFT@

@@ -1,4 +1,2 @@
-#include <fstream>
-#include <iterator>
+#include <fcntl.h>
 #include <stdexcept>
-#include <string>

@@ -1,0 +1,4 @@
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
