@@ -60,7 +60,9 @@ std::string system() {
     std::erase(name, '"');
     utsname kernel{};
     uname(&kernel);
-    return fmt::format("{}, {} {}", name, kernel.sysname, kernel.release);
+    const std::string release = kernel.release;  // what follows the number is the builder's
+    return fmt::format("{}, {} {}", name, kernel.sysname,
+                       release.substr(0, release.find_first_not_of("0123456789.")));
 }
 
 class Trial {
