@@ -53,7 +53,8 @@ wait_for() {
 
 start_display() {
     alone
-    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3> "$folder/display" \
+    # -noreset: it would begin anew, and be away for a moment, when the first client has gone.
+    Xvfb -displayfd 3 -noreset -screen 0 1280x1024x24 -nolisten tcp 3> "$folder/display" \
         2> "$folder/server" 9>&- &
     server=$!
     wait_for "the display starts" test -s "$folder/display"
