@@ -21,7 +21,7 @@ public:
     bool hidesFiles() const override { return true; }  // of itself only
     std::string name() const override { return "none"; }
     std::string weakness() const override { return "nothing is confined"; }
-    std::vector<std::string> confine(const Confinement& confinement,
+    std::vector<std::string> confine(Confinement confinement,
                                      const std::vector<std::string>& command) const override {
         std::vector<std::string> all = {"env", "-C", confinement.workingFolder.string()};
         all.insert(all.end(), confinement.environment.begin(), confinement.environment.end());
