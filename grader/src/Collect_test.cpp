@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "Error.h"
+#include "testing/AsNobody.h"
 #include "testing/Tree.h"
 
 namespace {
@@ -15,6 +16,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing_help::AsNobody;
 using testing_help::Tree;
 using testing_help::whatOf;
 
@@ -390,18 +392,6 @@ TEST_F(Collecting, AVeryLargeFileIsRefused) {
     fs::resize_file(hand / "07-camera/Camera.cpp", (4u << 20) + 1);
     EXPECT_EQ(complaint(), "Camera.cpp: the file is larger than 4 MiB");
 }
-
-/// Root reads everything, so the test becomes somebody else while it looks.
-class AsNobody {
-public:
-    AsNobody() : was_(geteuid()) { changed_ = was_ != 0 || seteuid(65534) == 0; }
-    ~AsNobody() { [[maybe_unused]] const int back = seteuid(was_); }
-    bool worked() const { return changed_; }
-
-private:
-    uid_t was_;
-    bool changed_;
-};
 
 TEST_F(Collecting, AnUnreadableFileIsNamed) {
     submitBoth();

@@ -68,6 +68,14 @@ std::optional<std::string> withRegion(const std::string& text, const std::string
     return std::nullopt;
 }
 
+int lineOfRegion(const std::string& text, const std::string& id) {
+    const std::size_t at = text.find("BEGIN TODO(" + id + ")");
+    if (at == std::string::npos)
+        return 0;
+    return 1 + static_cast<int>(
+                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
 std::string outsideRegions(const std::string& text) {
     std::string outside;
     std::size_t from = 0;

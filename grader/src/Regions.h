@@ -17,6 +17,9 @@ std::map<std::string, std::string> regionsOf(const std::string& text);
 std::optional<std::string> withRegion(const std::string& text, const std::string& id,
                                       const std::string& body);
 
+/// Number of the line, from 1, on which region `id` begins; 0 when the text has none.
+int lineOfRegion(const std::string& text, const std::string& id);
+
 /// `text` with the inside of every region taken out.
 std::string outsideRegions(const std::string& text);
 

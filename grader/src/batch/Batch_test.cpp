@@ -8,6 +8,7 @@
 #include "batch/Ledger.h"
 #include "batch/Overview.h"
 #include "batch/Progress.h"
+#include "testing/AsNobody.h"
 #include "testing/Tree.h"
 
 namespace {
@@ -17,6 +18,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing_help::AsNobody;
 using testing_help::Tree;
 using testing_help::whatOf;
 
@@ -93,18 +95,6 @@ TEST(Intake, WhatIsThereTwiceIsNamedByItsPlace) {
         fs::create_directories(clone / "bob/.git" / each);
     EXPECT_THAT(whatOf<Error>([&] { takenIn(clone); }), HasSubstr("bob/.git"));
 }
-
-/// Root reads everything, so the test becomes somebody else while it looks.
-class AsNobody {
-public:
-    AsNobody() : was_(geteuid()) { changed_ = was_ != 0 || seteuid(65534) == 0; }
-    ~AsNobody() { [[maybe_unused]] const int back = seteuid(was_); }
-    bool worked() const { return changed_; }
-
-private:
-    uid_t was_;
-    bool changed_;
-};
 
 class LayingOut : public testing::Test {
 protected:

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "Regions.h"
 #include "pull_request/Markdown.h"
 #include "report/Words.h"
 
@@ -216,13 +217,8 @@ std::string regionIn(const fs::path& folder, const fs::path& files, const std::s
         return "";
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const std::string text = entry.is_regular_file() ? readFile(entry.path()) : "";
-        const std::size_t at = text.find("BEGIN TODO(" + task + ")");
-        if (at != std::string::npos)
-            return placeProperties(
-                fs::relative(entry.path(), files),
-                1 + static_cast<int>(std::count(
-                        text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
-                0);
+        if (const int line = lineOfRegion(text, task); line > 0)
+            return placeProperties(fs::relative(entry.path(), files), line, 0);
     }
     return "";
 }

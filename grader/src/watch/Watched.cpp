@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "Error.h"
+#include "Regions.h"
 
 namespace grader {
 
@@ -15,14 +16,6 @@ std::string textOf(const fs::path& file) {
     } catch (const Error&) {
         return "";
     }
-}
-
-/// Number of the line with a region's first mark; 0 where there is none.
-std::ptrdiff_t lineOfRegion(const std::string& text, const std::string& task) {
-    const std::size_t at = text.find("// BEGIN TODO(" + task + ")");
-    if (at == std::string::npos)
-        return 0;
-    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
 }
 
 /// As somebody who stands in the course's folder names it.
