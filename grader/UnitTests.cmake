@@ -39,8 +39,8 @@ grader_add_unit_tests(grader_unit_tests
         src/Diagnostics_test.cpp src/Files_test.cpp src/Includes_test.cpp src/JobUser_test.cpp
         src/Manifest_test.cpp
         src/ObjectCache_test.cpp src/Portability_test.cpp src/Process_test.cpp src/Regions_test.cpp
-        src/Result_test.cpp src/Sandbox_test.cpp src/TimeBox_test.cpp
-        src/Toolchain_test.cpp
+        src/Result_test.cpp src/Sandbox_test.cpp src/SystemFiles_test.cpp
+        src/TimeBox_test.cpp src/Toolchain_test.cpp
         src/batch/Batch_test.cpp src/batch/Class_test.cpp src/batch/Crew_test.cpp
         src/batch/Earlier_test.cpp src/batch/Gallery_test.cpp src/batch/Gradebook_test.cpp
         src/batch/Merge_test.cpp src/batch/Similarity_test.cpp

@@ -28,10 +28,6 @@ constexpr std::uint64_t kRead =
 constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE |
                                    LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate | kDeviceCalls;
 
-/// What bubblewrap shows every program, too.
-constexpr const char* kOfTheSystem[] = {"/usr",   "/bin",    "/lib",
-                                        "/lib32", "/lib64",  "/etc/ld.so.cache",
-                                        "/proc",  "/libx32", "/etc/alternatives"};
 constexpr const char* kDevices[] = {"/dev/null", "/dev/zero", "/dev/full", "/dev/random",
                                     "/dev/urandom"};
 
@@ -66,8 +62,9 @@ public:
     Rules(const Rules&) = delete;
     Rules& operator=(const Rules&) = delete;
 
-    void allowReading(const char* path, bool required) { allow(path, kRead, required); }
-    void allowWriting(const char* path, bool required) { allow(path, every_, required); }
+    void allowReading(const std::string& path) { allow(path.c_str(), kRead, true); }
+    void allowWriting(const std::string& path) { allow(path.c_str(), every_, true); }
+    void allowDevice(const char* path) { allow(path, every_, false); }
 
     void apply() {
         if (syscall(SYS_landlock_restrict_self, rules_, 0) != 0)
@@ -113,14 +110,12 @@ void holdToFiles(const std::vector<std::string>& readable,
     if (here == 0)
         return;
     Rules rules(here);
-    for (const char* each : kOfTheSystem)
-        rules.allowReading(each, false);
     for (const char* each : kDevices)
-        rules.allowWriting(each, false);
+        rules.allowDevice(each);
     for (const std::string& each : readable)
-        rules.allowReading(each.c_str(), true);
+        rules.allowReading(each);
     for (const std::string& each : writable)
-        rules.allowWriting(each.c_str(), true);
+        rules.allowWriting(each);
     rules.apply();
 }
 

@@ -67,6 +67,7 @@ Unpacked unpackFile(const Toolchain& tools, const Sandbox& sandbox, const Job& j
     confinement.readable = {tools.kit, file.parent_path()};
     confinement.writable = {unpacked.folder};
     confinement.workingFolder = unpacked.folder;
+    confinement.programs.emplace();
     const ProcessResult ran =
         run(sandbox.confine(confinement, {tools.unpack().string(), file.string(), unpacked.folder}),
             kClockSeconds);
@@ -175,6 +176,7 @@ Unpacked unpackClone(const Toolchain& tools, const Sandbox& sandbox, const Job& 
     confinement.readable = {bare};
     confinement.writable = {made};
     confinement.workingFolder = made;
+    confinement.programs = {"git"};
     confinement.environment = {"GIT_CONFIG_NOSYSTEM=1", "GIT_CONFIG_GLOBAL=/dev/null"};
     const ProcessResult ran =
         run(sandbox.confine(confinement,

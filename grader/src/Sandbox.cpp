@@ -18,6 +18,7 @@
 #include "Cgroup.h"
 #include "Error.h"
 #include "Process.h"
+#include "SystemFiles.h"
 #include "confine/FileRules.h"
 
 namespace grader {
@@ -87,21 +88,8 @@ Command limitCommand(const fs::path& confine, const Limits& limits, int otherPro
     return command;
 }
 
-/// Where a system has programs and headers, as against libraries and data.
-constexpr const char* kFoldersOfPrograms[] = {
-    "/usr/bin", "/usr/sbin",      "/usr/libexec",       "/usr/lib/gcc",  "/usr/include",
-    "/usr/src", "/usr/local/bin", "/usr/local/include", "/usr/local/src"};
-
-/// Puts empty folders over these, but for the programs that are named.
-void hideProgramsBut(const std::vector<std::string>& names, Command& command) {
-    for (const char* folder : kFoldersOfPrograms)
-        if (fs::is_directory(folder)) {
-            append(command, {"--size", "4096", "--tmpfs", folder});
-            for (const std::string& name : names)
-                if (const fs::path program = fs::path(folder) / name; fs::exists(program))
-                    append(command, {"--ro-bind", fs::canonical(program), program});
-            append(command, {"--remount-ro", folder});
-        }
+std::vector<fs::path> ofTheSystem(const Confinement& confinement) {
+    return confinement.programs ? librariesAnd(*confinement.programs) : wholeSystem();
 }
 
 class Bubblewrap : public Sandbox {
@@ -141,19 +129,11 @@ public:
                      "--size",
                      kTmpfsBytes,
                      "--tmpfs",
-                     "/tmp",
-                     "--ro-bind",
-                     "/usr",
-                     "/usr"});
-        if (!confinement.programs.empty())
-            hideProgramsBut(confinement.programs, all);
-        for (const char* name : {"/bin", "/lib", "/lib64"})
-            if (fs::is_symlink(name))
-                append(all, {"--symlink", fs::read_symlink(name).string(), name});
-            else if (fs::exists(name))
-                append(all, {"--ro-bind", name, name});
-        append(all, {"--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--ro-bind-try",
-                     "/etc/alternatives", "/etc/alternatives"});
+                     "/tmp"});
+        for (const fs::path& each : ofTheSystem(confinement))
+            append(all, {"--ro-bind", fs::canonical(each).string(), each.string()});
+        for (const fs::path& link : systemLinks())
+            append(all, {"--symlink", fs::read_symlink(link).string(), link.string()});
         for (const fs::path& folder : confinement.readable)
             append(all, {"--ro-bind", folder.string(), folder.string()});
         for (const fs::path& folder : confinement.writable)
@@ -191,9 +171,10 @@ public:
         Command limits = limitCommand(confine_, confinement.limits, others);
         if (hidesFiles()) {
             const auto dashes = limits.end() - 1;
-            Command files;
-            for (const fs::path& each : confinement.readable)
-                files.push_back("read=" + each.string());
+            Command files = {"read=/proc"};
+            for (const auto& list : {ofTheSystem(confinement), confinement.readable})
+                for (const fs::path& each : list)
+                    files.push_back("read=" + each.string());
             for (const fs::path& each : confinement.writable)
                 files.push_back("write=" + each.string());
             limits.insert(dashes, files.begin(), files.end());
@@ -237,22 +218,6 @@ bool runsInCi() {
     const char* value = std::getenv("CI");
     return value && *value && std::string(value) != "false";
 }
-
-namespace {
-
-/// Every sandbox shows these.
-void refuseAmongSystemFiles(const fs::path& secret) {
-    const fs::path real = fs::weakly_canonical(fs::absolute(secret));
-    for (const char* folder : {"/usr", "/bin", "/lib", "/lib32", "/lib64", "/libx32"})
-        if (const fs::path below = real.lexically_relative(folder);
-            !below.empty() && *below.begin() != "..")
-            throw Error(
-                "{} lies below {}, where every program in a sandbox may read: move it elsewhere, "
-                "below /srv or a home for instance",
-                secret.string(), folder);
-}
-
-}  // namespace
 
 std::unique_ptr<Sandbox> chooseSandbox(const fs::path& confine, SandboxWish wish) {
     CgroupHome::ours();  // while there are no threads and children

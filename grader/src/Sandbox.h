@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,9 @@ struct Confinement {
     std::vector<fs::path> readable;
     std::vector<fs::path> writable;
     fs::path workingFolder;
-    /// Names of the system's programs that it needs; empty: all of them, and its headers. Only
-    /// bubblewrap hides the others.
-    std::vector<std::string> programs;
+    /// Names of the system's programs that it needs, beside libraries. Absent: it compiles, and
+    /// needs the whole system.
+    std::optional<std::vector<std::string>> programs;
     std::vector<std::string> environment;  ///< "NAME=VALUE", beside the few that all programs see
     unsigned user = 0;  ///< whom root becomes before it starts the program; see JobUser
     fs::path cgroup;    ///< which it enters before that; see Cgroup. Empty: none
