@@ -9,7 +9,7 @@ build_packages=(
     g++ cmake ninja-build pkg-config mold binutils gdb git util-linux bubblewrap
     libglm-dev libglfw3-dev libgl-dev libopengl-dev libgl1-mesa-dri libosmesa6 libegl1
     libopenimageio-dev libtinyobjloader-dev libcli11-dev nlohmann-json3-dev libfmt-dev libmd-dev
-    libseccomp-dev libarchive-dev libyaml-cpp-dev
+    libseccomp-dev libarchive-dev zlib1g-dev libyaml-cpp-dev
     libgtest-dev libgmock-dev
 )
 # To run the tests on top of that: a display without a screen, and keys pressed on it.

@@ -5,7 +5,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <cstring>
@@ -55,6 +57,22 @@ private:
     int number_;
 };
 
+/// libarchive passes over the checksum at the end of a gzip stream, and what is damaged may well
+/// unpack to something: zlib looks at it, in what may be unpacked at all.
+bool isDamagedGzip(const fs::path& file, std::size_t most) {
+    const gzFile stream = gzopen(file.c_str(), "rbe");
+    if (!stream)
+        return false;
+    std::size_t bytes = 0;
+    char block[65536];
+    int got = 1;
+    while (got > 0 && bytes <= most && !gzdirect(stream)) {
+        got = gzread(stream, block, sizeof block);
+        bytes += static_cast<std::size_t>(std::max(got, 0));
+    }
+    return gzclose_r(stream) != Z_OK || got < 0;
+}
+
 class Unpacker {
 public:
     Unpacker(const fs::path& target, const Limits& limits)
@@ -68,6 +86,8 @@ public:
 
     void run(const fs::path& file) {
         constexpr std::size_t kBlock = 65536;
+        if (isDamagedGzip(file, limits_.bytes))
+            throw Refusal("it is damaged or cut off: its checksum does not agree");
         if (archive_read_open_filename(reader_.get(), file.c_str(), kBlock) != ARCHIVE_OK)
             throw Refusal("it is no zip, tar, tar.gz, tar.xz or tar.bz2 archive, or a damaged one");
         while (archive_entry* entry = next())

@@ -6,6 +6,7 @@
 
 #include <csignal>
 
+#include "Files.h"
 #include "Process.h"
 #include "testing/Tree.h"
 
@@ -50,6 +51,28 @@ TEST(Unpack, SaysWhatAFileIsWhenItIsNoArchive) {
     EXPECT_THAT(unpack::unpack(tree / "text", tree / "target"), HasSubstr("no zip, tar"));
     EXPECT_THAT(unpack::unpack(tree / "missing", tree / "target"), HasSubstr("no zip, tar"));
     EXPECT_TRUE(std::filesystem::is_empty(tree / "target"));
+}
+
+TEST(Unpack, RefusesADamagedGzipThatUnpacksToSomething) {
+    const Tree tree;
+    tree.write("rotation.cpp", "int x = 1;");
+    const std::string archive = (tree / "a.tar.gz").string();
+    ASSERT_TRUE(
+        grader::run({"tar", "-C", tree.path().string(), "-czf", archive, "rotation.cpp"}, 20)
+            .succeeded());
+    const auto unpacked = [&](const char* target) {
+        std::filesystem::create_directories(tree / target);
+        return unpack::unpack(archive, tree / target);
+    };
+    EXPECT_THAT(unpacked("whole"), IsEmpty());
+    std::string bytes = grader::readFile(archive);
+    constexpr std::size_t kTrailer = 8;  // a checksum and a length
+    bytes[bytes.size() - kTrailer] ^= 1;
+    tree.write("a.tar.gz", bytes);
+    EXPECT_THAT(unpacked("damaged"), HasSubstr("is damaged or cut off"));
+    tree.write("a.tar.gz", bytes.substr(0, bytes.size() - kTrailer));
+    EXPECT_THAT(unpacked("cut"), HasSubstr("is damaged or cut off"));
+    EXPECT_TRUE(std::filesystem::is_empty(tree / "damaged"));
 }
 
 TEST(Unpack, SaysWhyAFileCannotBeWritten) {
