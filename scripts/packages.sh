@@ -60,7 +60,7 @@ missing_of() {
     declare -A installed=()
     while read -r name state; do
         [[ $state != installed ]] || installed[$name]=yes
-    done < <(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2> /dev/null)
+    done < <(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2> /dev/null || true)
     missing=()
     for package in "$@"; do
         [[ -n ${installed[$package]:-} ]] || missing+=("$package")

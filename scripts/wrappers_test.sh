@@ -38,13 +38,15 @@ new_case() {
     : > "$case/calls"    # what the fakes were called with
     echo 1000 > "$case/uid"
     fake id <<< 'cat "$case/uid"'
-    # Knows every package that was asked for, less the absent ones.
+    # Knows every package that was asked for, less the absent ones; fails when there are any.
     fake dpkg-query <<'END'
 echo dpkg-query >> "$case/calls"
 shift 3
+code=0
 for package in "$@"; do
-    grep -qx "$package" "$case/absent" || echo "$package installed"
+    if grep -qx "$package" "$case/absent"; then code=1; else echo "$package installed"; fi
 done
+exit $code
 END
     fake apt-get <<'END'
 echo "apt-get $*" >> "$case/calls"
@@ -90,6 +92,7 @@ run() {
     code=0
     output=$(cd "$folder" && env -i PATH="$case/bin" DPKG_ADMINDIR="$case/dpkg" "$@" \
         2>&1 < /dev/null) || code=$?
+    [[ $output != *"stopped at line"* ]] || complain "a command failed that nobody expected to"
 }
 
 complain() {
