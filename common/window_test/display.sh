@@ -60,6 +60,8 @@ start_display() {
     wait_for "the display starts" test -s "$folder/display"
     DISPLAY=:$(< "$folder/display")
     export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+    # A GL driver leaks a little and is unloaded before LeakSanitizer could tell that it was that.
+    export ASAN_OPTIONS="${ASAN_OPTIONS:-}:detect_leaks=0"
     wait_for "the display answers" xdotool getdisplaygeometry
     together
 }
@@ -68,9 +70,7 @@ start_display() {
 # window the keyboard. Sets $window.
 open_window() {
     [[ -x $1 ]] || fail "there is no program $1: build it first"
-    # A GL driver leaks a little and is unloaded before LeakSanitizer could tell that it was that.
-    (cd "$folder" && export ASAN_OPTIONS="${ASAN_OPTIONS:-}:detect_leaks=0" \
-        && exec "$@" > "$log" 2>&1) &
+    (cd "$folder" && exec "$@" > "$log" 2>&1) &
     window_process=$!
     find_window() { xdotool search --onlyvisible --pid "$window_process"; }
     ended() { ! kill -0 "$window_process"; }
