@@ -13,6 +13,7 @@ struct Span {
 };
 
 constexpr std::size_t kLongestId = 64;
+const std::string kBegin = "// BEGIN TODO(", kEnd = "// END TODO(";
 
 /// Where the marks `before`id) stand, by id.
 std::map<std::string, std::vector<std::size_t>> marksOf(const std::string& text,
@@ -29,7 +30,7 @@ std::map<std::string, std::vector<std::size_t>> marksOf(const std::string& text,
 
 /// In time that grows with the text alone, however many marks a stranger has put into it.
 std::vector<Span> spansOf(const std::string& text) {
-    const auto opened = marksOf(text, "// BEGIN TODO("), closed = marksOf(text, "// END TODO(");
+    const auto opened = marksOf(text, kBegin), closed = marksOf(text, kEnd);
     std::map<std::size_t, std::string> openings;
     for (const auto& [id, places] : opened)
         if (places.size() == 1 && closed.contains(id))
@@ -69,7 +70,7 @@ std::optional<std::string> withRegion(const std::string& text, const std::string
 }
 
 int lineOfRegion(const std::string& text, const std::string& id) {
-    const std::size_t at = text.find("BEGIN TODO(" + id + ")");
+    const std::size_t at = text.find(kBegin + id + ")");
     if (at == std::string::npos)
         return 0;
     return 1 + static_cast<int>(

@@ -430,7 +430,7 @@ TEST(ChooseSandbox, RefusesToShowStrangersASecret) {
         EXPECT_THAT(testing_help::whatOf<Error>([&] {
                         chooseSandbox(CONFINE, {.strangers = true, .secrets = {"/srv", place}});
                     }),
-                    HasSubstr("where every program in a sandbox may read"))
+                    HasSubstr("where a submission's compiler may read"))
             << place;
 }
 

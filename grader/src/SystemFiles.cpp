@@ -132,8 +132,8 @@ std::vector<fs::path> librariesAnd(const std::vector<std::string>& programs) {
 void refuseAmongSystemFiles(const fs::path& secret) {
     if (isOfTheSystem(fs::weakly_canonical(fs::absolute(secret))))
         throw Error(
-            "{} lies among the system's own files, where every program in a sandbox may read: move "
-            "it elsewhere, below /srv or a home for instance",
+            "{} lies among the system's own files, where a submission's compiler may read: move it "
+            "elsewhere, below /srv or a home for instance",
             secret.string());
 }
 

@@ -7,7 +7,7 @@
 
 namespace grader {
 
-/// Files and folders of the operating system that every confined program may read.
+/// Files and folders of the operating system, as a confined compiler may read them.
 std::vector<fs::path> wholeSystem();
 
 /// Links to such folders, /lib for instance: what they lead to has names in them, too.
@@ -18,7 +18,8 @@ std::vector<fs::path> systemLinks();
 /// any. No other program, no header, no data.
 std::vector<fs::path> librariesAnd(const std::vector<std::string>& programs);
 
-/// Throws Error where a secret lies among the system's files, which every confined program sees.
+/// Throws Error where a secret lies among the system's files: an #include of a submission's reaches
+/// all that its compiler sees.
 void refuseAmongSystemFiles(const fs::path& secret);
 
 }  // namespace grader
